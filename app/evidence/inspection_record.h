@@ -1,0 +1,39 @@
+// All that one written inspection needs beside its findings: the inputs by name and hash, who measured, in which units.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "vision/core/camera.h"
+#include "vision/inspect/inspection.h"
+#include "vision/inspector.h"
+
+namespace spool::evidence {
+
+// The scan as the report names it.
+struct ScanRecord {
+  std::string file;
+  std::string sha256;       // of the file; of a sequence: of the frame's depth counts
+  std::string kind;         // "cloud", "depth folder", "oni", "device"
+  std::size_t points = 0;   // measured (finite)
+  std::int64_t frame = -1;  // the frame used; -1 for a cloud
+  std::string unit = "m";
+  bool unit_inferred = false;
+};
+
+struct InspectionRecord {
+  std::shared_ptr<const PreparedDesign> design;
+  Inspection inspection;
+  ScanRecord scan;
+  std::string sensor;             // description of the source, or "cloud file"
+  Calibration calibration;
+  std::string standard = "pfi-es3";
+  std::vector<std::string> datum; // part names
+  bool feet_inches = false;       // display only
+  std::vector<std::string> warnings;
+};
+
+}  // namespace spool::evidence

@@ -1,0 +1,37 @@
+// Writes an inspection's folder: report.json, report.html, points.ply, overlay_*.png (DESIGN 4.2).
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/evidence/inspection_record.h"
+#include "render/image.h"
+#include "vision/core/result.h"
+
+namespace spool::evidence {
+
+struct OverlayPicture {
+  std::string file;   // "overlay_1.png"
+  std::string text;   // from where it is seen
+  render::Image image;
+};
+
+// The few views that together show every part, drawn with the current GL context.
+[[nodiscard]] Result<std::vector<OverlayPicture>> draw_overlays(const InspectionRecord& record,
+                                                                int width = 1280, int height = 800);
+
+// report.json as DESIGN 4.2 fixes it (schema spoolsight-report/1).
+[[nodiscard]] std::string report_json(const InspectionRecord& record);
+// One offline file with the pictures inside.
+[[nodiscard]] std::string report_html(const InspectionRecord& record,
+                                      const std::vector<OverlayPicture>& pictures);
+
+// Everything into `folder`, each file whole or not at all; report.json last, so that its presence says
+// the folder is complete. kIo names the file that could not be written.
+[[nodiscard]] Status write_inspection(const std::filesystem::path& folder, const InspectionRecord& record,
+                                      const std::vector<OverlayPicture>& pictures);
+
+}  // namespace spool::evidence

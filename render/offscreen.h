@@ -1,0 +1,32 @@
+// The target that every picture is drawn to first: colour and depth, window or not.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/gl_handle.h"
+#include "render/image.h"
+#include "vision/core/result.h"
+
+namespace spool::render {
+
+// RGBA8 and depth of one size. GL thread only.
+class Offscreen {
+ public:
+  Offscreen() = default;
+  [[nodiscard]] static Result<Offscreen> create(int width, int height);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  void bind() const;             // framebuffer and viewport
+  [[nodiscard]] Image read() const;
+  void show(int width, int height) const;  // copies it to the window's framebuffer (0) of that size
+
+ private:
+  FramebufferHandle framebuffer_;
+  TextureHandle colour_;
+  RenderbufferHandle depth_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+}  // namespace spool::render

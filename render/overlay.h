@@ -1,0 +1,68 @@
+// The picture: background, live cloud coloured by deviation, translucent design, legend. One state in, pixels out.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "render/offscreen.h"
+#include "render/view.h"
+#include "vision/core/result.h"
+#include "vision/core/triangle_mesh.h"
+
+namespace spool::render {
+
+enum class LengthDisplay { kMillimetre, kFeetInch };
+
+// A cross or ring on the picture: a proposed or picked point.
+struct Marker {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  // m, design frame
+  enum class Kind { kProposed, kPicked, kScan } kind = Kind::kProposed;
+  std::string label;  // "1"
+};
+
+struct OverlayStyle {
+  double colour_range_m = 0.010;  // m; the ends of the deviation colours
+  double neutral_m = 0.001;       // m; half width of the grey band
+  double tolerance_m = 0.003;     // m; marked on the legend
+  float point_size_px = 3.0F;
+  bool show_background = true;
+  bool show_cloud = true;
+  bool show_clutter = true;       // points that are not the object: dim
+  bool show_design = true;
+  bool show_legend = true;
+  LengthDisplay units = LengthDisplay::kMillimetre;
+  int lit_part = -1;              // drawn brighter
+  double scale = 1.0;             // of text and marks: pixels a density-independent unit
+};
+
+// Owns the GL side of one overlay. GL thread only; made while a context is current.
+class OverlayRenderer {
+ public:
+  [[nodiscard]] static Result<OverlayRenderer> create();
+  OverlayRenderer(OverlayRenderer&&) noexcept;
+  OverlayRenderer& operator=(OverlayRenderer&&) noexcept;
+  ~OverlayRenderer();
+
+  // The design's triangles (m, design frame) and the part of each. A design that is a bare cloud: no triangles.
+  void set_design(const TriangleMesh& mesh, std::span<const std::int32_t> triangle_part);
+  // The points of one state in the design frame (m), their signed deviation (m; NaN: clutter or unknown) and
+  // class (0 clutter, 1 object, 2 contradicting). All of one length; not finite points are not drawn.
+  void set_points(std::span<const Eigen::Vector3f> points_design, std::span<const float> deviation_m,
+                  std::span<const std::uint8_t> classes);
+  void set_markers(std::span<const Marker> markers);
+  // Draws into the target; occlusion of the design by the points is by their depth.
+  [[nodiscard]] Status draw(const Offscreen& target, const View& view, const OverlayStyle& style);
+
+ private:
+  struct Impl;
+  explicit OverlayRenderer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace spool::render

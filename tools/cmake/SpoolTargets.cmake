@@ -1,0 +1,35 @@
+# How our own targets are compiled: warnings, sanitizers, include root. Third party is SYSTEM.
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(spool_flags INTERFACE)
+target_include_directories(spool_flags INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(spool_flags INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion>)
+if(SPOOL_WERROR)
+  target_compile_options(spool_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+if(SPOOL_SERIAL)
+  target_compile_definitions(spool_flags INTERFACE SPOOL_SERIAL=1)
+endif()
+if(SPOOL_SANITIZE)
+  add_compile_options(-fsanitize=${SPOOL_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${SPOOL_SANITIZE})
+  if(SPOOL_SANITIZE MATCHES "undefined")
+    add_compile_options(-fno-sanitize-recover=all)
+  endif()
+endif()
+
+# spool_library(NAME sources... ): a static library of ours. Dependencies follow by target_link_libraries.
+function(spool_library name)
+  add_library(${name} STATIC ${ARGN})
+  target_link_libraries(${name} PUBLIC spool_flags)
+endfunction()
+
+# spool_program(NAME sources...): an executable of ours, in build/<preset>/bin.
+function(spool_program name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE spool_flags)
+endfunction()

@@ -1,0 +1,43 @@
+// Signed distance of every kept point to the design surface, and what it says of each part.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "vision/core/cloud_view.h"
+#include "vision/design/design_model.h"
+#include "vision/design/design_surface.h"
+#include "vision/design/sampling.h"
+#include "vision/inspect/declutter.h"
+
+namespace spool {
+
+// One entry a scan point. Clutter: NaN and -1.
+struct Deviations {
+  std::vector<float> distance_m;   // + outside the design's surface
+  std::vector<std::int32_t> part;
+};
+
+// Points in the design frame; those further than `max_distance` (m) count as clutter: their class is changed.
+[[nodiscard]] Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass> classes,
+                                            const DesignSurface& surface, float max_distance);
+
+// Point-to-surface statistics of one part. Scan quality and colour; never a verdict.
+struct PartDeviation {
+  std::size_t points = 0;
+  double mean_m = 0, rms_m = 0, p95_abs_m = 0, max_abs_m = 0;
+  double coverage = 0;  // share of the part's surface samples with an object point near
+};
+
+[[nodiscard]] std::vector<PartDeviation> summarise_parts(const DesignModel& design, const CloudView& scan_design,
+                                                         std::span<const PointClass> classes,
+                                                         const Deviations& deviations,
+                                                         const SurfaceSamples& samples);
+
+// Root mean square of all finite distances (eq. 3.1), m. Scan quality only.
+[[nodiscard]] double rms(const Deviations& deviations);
+
+}  // namespace spool

@@ -1,0 +1,72 @@
+// Everything one inspection found: what reports are written from and overlays drawn from.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vision/align/icp.h"
+#include "vision/core/pose.h"
+#include "vision/inspect/declutter.h"
+#include "vision/inspect/deviation.h"
+
+namespace spool {
+
+enum class Verdict { kOk, kSuspicious, kNotOk, kNotMeasured };
+[[nodiscard]] std::string_view name(Verdict verdict);  // "ok", "suspicious", "not_ok", "not_measured"
+// The worse of two in the order not_ok, suspicious, not_measured, ok (DESIGN 4.1).
+[[nodiscard]] Verdict worse(Verdict a, Verdict b);
+
+enum class AlignMethod { kPose, kThreePoint, kPrincipalAxes, kFind };
+[[nodiscard]] std::string_view name(AlignMethod method);  // "pose", "three-point", "principal-axes", "find"
+[[nodiscard]] std::optional<AlignMethod> parse_align_method(std::string_view text);
+
+struct Alignment {
+  AlignMethod method = AlignMethod::kPose;
+  bool found = false;          // false: nothing below means anything
+  std::string reason;          // why not, or what to mind
+  Pose T_design_scan = Pose::Identity();  // between the files' own frames (origins included)
+  Matrix6d covariance = Matrix6d::Zero();
+  std::vector<WeakDirection> weak_directions;
+  double rms_m = 0;
+  double overlap = 0;
+  bool ambiguous = false;
+  std::vector<Pose> alternatives;
+  std::vector<double> pair_residual_m;
+  double seconds = 0;
+};
+
+struct PartFinding {
+  int part = -1;
+  Verdict status = Verdict::kNotMeasured;
+  std::string reason;  // why not better, and what would settle it
+  PartDeviation deviation;
+};
+
+struct Finding {
+  std::string kind;  // missing | unexpected | misplaced | mirrored | wrong_size | scale | symmetry
+  std::string part;
+  std::string text;
+  std::string evidence;
+};
+
+// One state: everything here belongs to the same points at the same pose (promise 5).
+struct Inspection {
+  Alignment alignment;
+  DeclutterResult declutter;
+  PointCloud scan_design;   // every input point in input order, in the design frame (design origin taken off)
+  Deviations deviations;    // one entry a point of scan_design
+  std::vector<PartFinding> parts;  // in the design's order
+  std::vector<Finding> findings;
+  Verdict status = Verdict::kNotMeasured;
+  std::string status_reason;       // one sentence
+  double scan_rms_m = 0;           // eq. 3.1, scan quality
+  std::map<std::string, double> timing_s;
+};
+
+}  // namespace spool
