@@ -1,0 +1,89 @@
+// camera.json and calibration files of DESIGN 4.3, read and written.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/common/json_file.h"
+
+namespace spool {
+namespace {
+
+// The object under "calibration"; its own error is handed up to `parent`.
+Result<Calibration> calibration_of(const nlohmann::json& parent, const std::string& file) {
+  JsonObject object(parent.at("calibration"), file, "calibration");
+  Calibration calibration;
+  calibration.id = object.text_or("id", "");
+  calibration.date = object.text_or("date", "");
+  calibration.scale_u = object.number_or("scale_u", calibration.scale_u);
+  calibration.warp_u_m = object.number_or("warp_u_m", calibration.warp_u_m);
+  // A tenth is already no depth camera; a negative uncertainty is none at all.
+  if (calibration.scale_u < 0 || calibration.scale_u > 0.1)
+    object.fail("scale_u", "has to lie between 0 and 0.1 (a fraction)");
+  if (calibration.warp_u_m < 0 || calibration.warp_u_m > 0.1)
+    object.fail("warp_u_m", "has to lie between 0 and 0.1 m");
+  if (object.error()) return *object.error();
+  return calibration;
+}
+
+}  // namespace
+
+Result<Camera> read_camera(const std::filesystem::path& path) {
+  const auto json = read_json(path);
+  if (!json) return json.error();
+  JsonObject object(*json, path.string());
+  Camera camera;
+  camera.width = object.integer("width");
+  camera.height = object.integer("height");
+  camera.fx = object.number("fx");
+  camera.fy = object.number("fy");
+  camera.cx = object.number("cx");
+  camera.cy = object.number("cy");
+  camera.depth_unit_m = object.number("depth_unit_m");
+  if (object.error()) return *object.error();
+  const auto positive = [&](const char* key, double value) {
+    if (!(value > 0)) object.fail(key, "has to be more than 0");
+  };
+  positive("width", camera.width);
+  positive("height", camera.height);
+  positive("fx", camera.fx);
+  positive("fy", camera.fy);
+  positive("depth_unit_m", camera.depth_unit_m);
+  if (!object.error() && !camera.is_valid()) object.fail("", "holds intrinsics no camera has");
+  if (object.error()) return *object.error();
+  if (object.has("calibration")) {
+    const auto calibration = calibration_of(*json, path.string());
+    if (!calibration) return calibration.error();
+    camera.calibration = *calibration;
+  }
+  return camera;
+}
+
+Result<Calibration> read_calibration(const std::filesystem::path& path) {
+  const auto json = read_json(path);
+  if (!json) return json.error();
+  if (!json->is_object() || !json->contains("calibration"))
+    return Error{
+        ErrorCode::kBadInput,
+        path.string() +
+            ": \"calibration\" is missing; name a calibration or a camera.json that holds one"};
+  return calibration_of(*json, path.string());
+}
+
+nlohmann::json calibration_to_json(const Calibration& calibration) {
+  return {{"id", calibration.id},
+          {"date", calibration.date},
+          {"scale_u", calibration.scale_u},
+          {"warp_u_m", calibration.warp_u_m}};
+}
+
+nlohmann::json camera_to_json(const Camera& camera) {
+  nlohmann::json json = {{"width", camera.width},
+                         {"height", camera.height},
+                         {"fx", camera.fx},
+                         {"fy", camera.fy},
+                         {"cx", camera.cx},
+                         {"cy", camera.cy},
+                         {"depth_unit_m", camera.depth_unit_m}};
+  if (!camera.calibration.id.empty()) json["calibration"] = calibration_to_json(camera.calibration);
+  return json;
+}
+
+}  // namespace spool

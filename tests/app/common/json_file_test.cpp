@@ -1,0 +1,198 @@
+// Pairs, poses, cameras and calibrations: read back exactly, or refused by file and key.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/common/json_file.h"
+
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace spool {
+namespace {
+
+// A file of `text` in a folder that lives as long as this.
+class TextFile {
+ public:
+  explicit TextFile(const std::string& text, const std::string& name = "given.json")
+      : path_(folder_.path() / name) {
+    std::ofstream(path_, std::ios::binary) << text;
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  test::TemporaryFolder folder_;
+  std::filesystem::path path_;
+};
+
+constexpr const char* kGoodPairs = R"({"pairs": [{"design": [0,0,0], "scan": [1,2,3]},
+  {"design": [1,0,0], "scan": [2,2,3]}, {"design": [0,1,0.5], "scan": [1,3,3.5]}]})";
+
+TEST(PairsJson, GivesEveryPairInOrder) {
+  const TextFile file(kGoodPairs);
+  const auto pairs = read_pairs(file.path());
+  ASSERT_TRUE(pairs) << pairs.error().message;
+  ASSERT_EQ(pairs->size(), 3U);
+  EXPECT_EQ((*pairs)[2].design, Eigen::Vector3d(0, 1, 0.5));
+  EXPECT_EQ((*pairs)[2].scan, Eigen::Vector3d(1, 3, 3.5));
+}
+
+TEST(PoseJson, GivesTheRowMajorPose) {
+  const TextFile file(R"({"T_design_scan": [0,-1,0,0.1, 1,0,0,0.2, 0,0,1,0.3, 0,0,0,1]})");
+  const auto pose = read_pose(file.path());
+  ASSERT_TRUE(pose) << pose.error().message;
+  EXPECT_LT((*pose * Eigen::Vector3d(1, 0, 0) - Eigen::Vector3d(0.1, 1.2, 0.3)).norm(), 1e-12);
+}
+
+TEST(CameraJson, RoundTripsWithItsCalibration) {
+  Camera camera;
+  camera.width = 640;
+  camera.height = 480;
+  camera.fx = 575.8;
+  camera.fy = 575.5;
+  camera.cx = 319.25;
+  camera.cy = 240.5;
+  camera.depth_unit_m = 0.0001;
+  camera.calibration = {"gauge-7", "2024-05-01", 0.0012, 0.0004};
+  const TextFile file(json_text(camera_to_json(camera)));
+  const auto read = read_camera(file.path());
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->width, 640);
+  EXPECT_EQ(read->fy, 575.5);
+  EXPECT_EQ(read->cx, 319.25);
+  EXPECT_EQ(read->depth_unit_m, 0.0001);
+  EXPECT_EQ(read->calibration.id, "gauge-7");
+  EXPECT_EQ(read->calibration.scale_u, 0.0012);
+  const auto calibration = read_calibration(file.path());
+  ASSERT_TRUE(calibration) << calibration.error().message;
+  EXPECT_EQ(calibration->warp_u_m, 0.0004);
+}
+
+TEST(CameraJson, WithoutCalibrationKeepsHalfAPercent) {
+  const TextFile file(
+      R"({"width":640,"height":480,"fx":575,"fy":575,"cx":320,"cy":240,"depth_unit_m":0.001})");
+  const auto camera = read_camera(file.path());
+  ASSERT_TRUE(camera) << camera.error().message;
+  EXPECT_TRUE(camera->calibration.id.empty());
+  EXPECT_EQ(camera->calibration.scale_u, 0.005);
+}
+
+struct Refusal {
+  const char* name;
+  const char* text;
+  const char* sentence;  // has to be part of the message
+};
+
+template <class Read>
+void expect_refused(const std::vector<Refusal>& cases, const Read& read) {
+  for (const auto& [name, text, sentence] : cases) {
+    SCOPED_TRACE(name);
+    const TextFile file(text);
+    const auto result = read(file.path());
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::kBadInput);
+    EXPECT_NE(result.error().message.find(sentence), std::string::npos) << result.error().message;
+    EXPECT_EQ(result.error().message.find(file.path().string()), 0U) << result.error().message;
+  }
+}
+
+TEST(PairsJson, RefusesWhatIsNoListOfThreePairsByFileAndKey) {
+  expect_refused(
+      {
+          {"empty", "", "is empty"},
+          {"blank", " \n\t", "is empty"},
+          {"cut short", R"({"pairs": [{"design": [0,0)", "line 1"},
+          {"wrong kind", "ply\nformat ascii 1.0\n", "is not valid JSON at line 1"},
+          {"no key", R"({"points": []})", "\"pairs\" is missing"},
+          {"no object", "[1, 2]", "has to be an object"},
+          {"no list", R"({"pairs": 3})", "\"pairs\" has to be a list"},
+          {"two pairs",
+           R"({"pairs": [{"design":[0,0,0],"scan":[0,0,0]},{"design":[1,0,0],"scan":[1,0,0]}]})",
+           "holds 2 pairs and three or more are needed"},
+          {"two numbers", R"({"pairs": [{"design": [0,0], "scan": [0,0,0]}]})",
+           "\"pairs[0].design\" has to be a list of 3 numbers"},
+          {"a text", R"({"pairs": [{"design": [0,0,"x"], "scan": [0,0,0]}]})", "pairs[0].design"},
+          {"null for NaN", R"({"pairs": [{"design": [0,0,0], "scan": [0,null,0]}]})",
+           "pairs[0].scan"},
+          {"NaN", R"({"pairs": [{"design": [0,0,NaN], "scan": [0,0,0]}]})", "is not valid JSON"},
+          {"beyond double", R"({"pairs": [{"design": [0,0,1e999], "scan": [0,0,0]}]})",
+           "out of range"},
+          {"entry no object", R"({"pairs": [7]})", "pairs[0]"},
+      },
+      [](const auto& path) { return read_pairs(path); });
+}
+
+TEST(PoseJson, RefusesWhatIsNotRigidAndSaysWhy) {
+  expect_refused(
+      {
+          {"mirror", R"({"T_design_scan": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]})", "mirrors"},
+          {"scale", R"({"T_design_scan": [0.001,0,0,0, 0,0.001,0,0, 0,0,0.001,0, 0,0,0,1]})",
+           "scales by 0.001"},
+          {"shear", R"({"T_design_scan": [1,0.3,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]})", "not a rigid"},
+          {"column-major", R"({"T_design_scan": [1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]})",
+           "row by row"},
+          {"zero", R"({"T_design_scan": [0,0,0,0, 0,0,0,0, 0,0,0,0, 0,0,0,1]})", "not a rigid"},
+          {"fifteen", R"({"T_design_scan": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0]})",
+           "has to be a list of 16 numbers"},
+          {"no key", R"({})", "\"T_design_scan\" is missing"},
+      },
+      [](const auto& path) { return read_pose(path); });
+}
+
+TEST(CameraJson, RefusesImpossibleIntrinsicsByKey) {
+  expect_refused(
+      {
+          {"no fx", R"({"width":640,"height":480,"fy":575,"cx":320,"cy":240,"depth_unit_m":0.001})",
+           "\"fx\" is missing"},
+          {"zero",
+           R"({"width":640,"height":480,"fx":0,"fy":575,"cx":320,"cy":240,"depth_unit_m":1})",
+           "\"fx\" has to be more than 0"},
+          {"half a pixel",
+           R"({"width":640.5,"height":480,"fx":1,"fy":1,"cx":320,"cy":240,"depth_unit_m":0.001})",
+           "\"width\" has to be a whole number"},
+          {"too wide",
+           R"({"width":64000,"height":480,"fx":1,"fy":1,"cx":320,"cy":240,"depth_unit_m":0.001})",
+           "intrinsics no camera has"},
+          {"text", R"({"width":"640"})", "\"width\" has to be a number"},
+          {"calibration",
+           R"({"width":640,"height":480,"fx":1,"fy":1,"cx":1,"cy":1,"depth_unit_m":1,
+               "calibration":{"scale_u":-1}})",
+           "\"calibration.scale_u\" has to lie between"},
+      },
+      [](const auto& path) { return read_camera(path); });
+}
+
+TEST(JsonFile, RefusesNestingThatWouldEndTheStack) {
+  const std::string deep = std::string(300000, '[') + std::string(300000, ']');
+  const auto result = parse_json(deep, "deep.json");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().message,
+            "deep.json: is nested deeper than 64 levels; this is not a file made for this program");
+}
+
+TEST(JsonFile, DoesNotCountBracketsInsideStrings) {
+  const auto result = parse_json("{\"text\": \"" + std::string(100, '[') + "\\\"[\"}", "text.json");
+  EXPECT_TRUE(result) << result.error().message;
+}
+
+TEST(JsonFile, NamesTheLineOfAMistake) {
+  const auto result = parse_json("{\n\"a\": 1,\n\"b\": }\n", "line.json");
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("at line 3"), std::string::npos) << result.error().message;
+}
+
+TEST(JsonFile, RefusesAFolderAndAMissingFile) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(read_json(folder.path()).error().code, ErrorCode::kBadInput);
+  EXPECT_EQ(read_json(folder.path() / "none.json").error().code, ErrorCode::kBadInput);
+}
+
+TEST(JsonFile, WritesFileNamesThatAreNotUtf8) {
+  const std::string text = json_text({{"file", std::string("scan\xff.ply")}});
+  EXPECT_TRUE(parse_json(text, "written")) << text;
+}
+
+}  // namespace
+}  // namespace spool
