@@ -1,6 +1,5 @@
-// Where tests find files: the repository's own, the built programs, and third-party data beside the checkout.
-// SPDX-FileCopyrightText: SpoolSight contributors
-// SPDX-License-Identifier: Apache-2.0
+// Where tests find files: the repository's own, the built programs, and third-party data beside the
+// checkout. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <filesystem>
@@ -11,15 +10,16 @@ namespace spool::test {
 [[nodiscard]] std::filesystem::path source_dir();
 [[nodiscard]] std::filesystem::path program(const char* name);  // build/<preset>/bin/name
 
-// The folder of third-party data: $SPOOL_SHARED_DATA, else ../shared/data beside the checkout; nothing
-// where there is none. Use SPOOL_REQUIRE_SHARED to skip.
+// The folder of third-party data: $SPOOL_SHARED_DATA, else ../shared/data beside the checkout;
+// nothing where there is none. Use SPOOL_REQUIRE_SHARED to skip.
 [[nodiscard]] std::optional<std::filesystem::path> shared_data();
 
 }  // namespace spool::test
 
-// Skips the test with its reason where the third-party file or folder is absent; else defines `path`.
-#define SPOOL_REQUIRE_SHARED(path, relative)                                                    \
-  const auto path##_root = spool::test::shared_data();                                          \
-  if (!path##_root || !std::filesystem::exists(*path##_root / (relative)))                      \
-    GTEST_SKIP() << "third-party data is absent: " << (relative);                               \
+// Skips the test with its reason where the third-party file or folder is absent; else defines
+// `path`.
+#define SPOOL_REQUIRE_SHARED(path, relative)                               \
+  const auto path##_root = spool::test::shared_data();                     \
+  if (!path##_root || !std::filesystem::exists(*path##_root / (relative))) \
+    GTEST_SKIP() << "third-party data is absent: " << (relative);          \
   const std::filesystem::path path = *path##_root / (relative)

@@ -3,27 +3,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
+
+#include <Eigen/Core>
 
 namespace spool {
 
 // What a gauge check or a calibration found. Without one, scale_u is half a percent (DESIGN 4.3).
 struct Calibration {
-  std::string id;         // empty: uncalibrated
-  std::string date;       // ISO 8601
-  double scale_u = 0.005; // standard uncertainty of the depth scale, as a fraction
-  double warp_u_m = 0.0;  // m, standard uncertainty left at the image corners
+  std::string id;          // empty: uncalibrated
+  std::string date;        // ISO 8601
+  double scale_u = 0.005;  // standard uncertainty of the depth scale, as a fraction
+  double warp_u_m = 0.0;   // m, standard uncertainty left at the image corners
 };
 
-// Pinhole without distortion. Camera frame: x right, y down, z forward; pixel centres at integer (u, v).
+// Pinhole without distortion. Camera frame: x right, y down, z forward; pixel centres at integer
+// (u, v).
 struct Camera {
-  int width = 0;   // px
-  int height = 0;  // px
-  double fx = 0;   // px
-  double fy = 0;   // px
-  double cx = 0;   // px
-  double cy = 0;   // px
+  int width = 0;                // px
+  int height = 0;               // px
+  double fx = 0;                // px
+  double fy = 0;                // px
+  double cx = 0;                // px
+  double cy = 0;                // px
   double depth_unit_m = 0.001;  // m for one count of depth
   Calibration calibration;
 

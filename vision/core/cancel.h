@@ -9,8 +9,8 @@
 
 namespace spool {
 
-// Passed down long functions. `progress` (may be empty) is called on the computing thread with the stage
-// and its share done in 0..1; `stop` is looked at often enough to end within 100 ms.
+// Passed down long functions. `progress` (may be empty) is called on the computing thread with the
+// stage and its share done in 0..1; `stop` is looked at often enough to end within 100 ms.
 struct Watch {
   std::stop_token stop;
   std::function<void(std::string_view stage, double fraction)> progress;

@@ -3,9 +3,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <cassert>
 #include <span>
+
+#include <Eigen/Core>
 
 #include "vision/core/point_cloud.h"
 
@@ -20,7 +21,8 @@ struct CloudView {
   CloudView(std::span<const Eigen::Vector3f> points_in,
             std::span<const Eigen::Vector3f> normals_in = {})
       : points(points_in), normals(normals_in) {
-    assert((normals.empty() || normals.size() == points.size()) && "a normal for every point or none");
+    assert((normals.empty() || normals.size() == points.size()) &&
+           "a normal for every point or none");
   }
   CloudView(const PointCloud& cloud)  // NOLINT(google-explicit-constructor): a view of it
       : CloudView(cloud.points, cloud.normals) {}

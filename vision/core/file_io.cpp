@@ -3,14 +3,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/core/file_io.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace spool {
 namespace {

@@ -16,15 +16,16 @@ namespace spool {
 void parallel_chunks(std::size_t count, std::size_t grain,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-// Sums `map(begin, end)` over the same chunks, always added in index order, so that the result is the
-// same to the last bit on any number of threads. T needs operator+=.
+// Sums `map(begin, end)` over the same chunks, always added in index order, so that the result is
+// the same to the last bit on any number of threads. T needs operator+=.
 template <class T, class Map>
 [[nodiscard]] T parallel_sum(std::size_t count, std::size_t grain, T zero, const Map& map) {
   if (count == 0) return zero;
   const std::size_t chunks = (count + grain - 1) / grain;
   std::vector<T> parts(chunks, zero);
-  parallel_chunks(count, grain,
-                  [&](std::size_t begin, std::size_t end) { parts[begin / grain] = map(begin, end); });
+  parallel_chunks(count, grain, [&](std::size_t begin, std::size_t end) {
+    parts[begin / grain] = map(begin, end);
+  });
   T sum = zero;
   for (const T& part : parts) sum += part;
   return sum;

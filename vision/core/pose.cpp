@@ -3,8 +3,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/core/pose.h"
 
-#include <Eigen/SVD>
 #include <cmath>
+
+#include <Eigen/SVD>
 
 namespace spool {
 
@@ -47,7 +48,8 @@ std::optional<Pose> pose_from_row_major(std::span<const double> numbers) {
       Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(numbers.data());
   constexpr double kRigid = 1e-4;  // files print poses to five or six digits
   if (!m.allFinite()) return std::nullopt;
-  if ((m.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > kRigid) return std::nullopt;
+  if ((m.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > kRigid)
+    return std::nullopt;
   const Eigen::Matrix3d r = m.topLeftCorner<3, 3>();
   if ((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > kRigid)
     return std::nullopt;

@@ -3,16 +3,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <array>
 #include <optional>
 #include <span>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 namespace spool {
 
 using Pose = Eigen::Isometry3d;
-using Vector6d = Eigen::Matrix<double, 6, 1>;  // translation (m) first, rotation vector (rad) second
+using Vector6d =
+    Eigen::Matrix<double, 6, 1>;  // translation (m) first, rotation vector (rad) second
 using Matrix6d = Eigen::Matrix<double, 6, 6>;  // covariance or information in the same order
 
 // The rotation about `rotation_vector` (rad, right-handed) as a matrix; exact near zero and at pi.
@@ -34,8 +36,8 @@ struct PoseSize {
 // The row-major 4x4 of a pose, as files and reports hold it.
 [[nodiscard]] std::array<double, 16> row_major(const Pose& pose);
 
-// The pose of 16 row-major numbers; nothing where they are not finite, not rigid to 1e-4 (a scale, a
-// mirror or a shear) or the last row is not 0 0 0 1. The rotation is made exactly orthonormal.
+// The pose of 16 row-major numbers; nothing where they are not finite, not rigid to 1e-4 (a scale,
+// a mirror or a shear) or the last row is not 0 0 0 1. The rotation is made exactly orthonormal.
 [[nodiscard]] std::optional<Pose> pose_from_row_major(std::span<const double> numbers);
 
 }  // namespace spool
