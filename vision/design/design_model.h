@@ -3,13 +3,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "vision/core/length_unit.h"
 #include "vision/core/point_cloud.h"
@@ -19,24 +20,39 @@
 namespace spool {
 
 enum class PartKind {
-  kPipe, kElbow, kTee, kCross, kReducer, kFlange, kBlind, kCap, kOlet, kValve, kGasket, kSupport,
-  kStructure, kOther
+  kPipe,
+  kElbow,
+  kTee,
+  kCross,
+  kReducer,
+  kFlange,
+  kBlind,
+  kCap,
+  kOlet,
+  kValve,
+  kGasket,
+  kSupport,
+  kStructure,
+  kOther
 };
 [[nodiscard]] std::string_view name(PartKind kind);  // as DESIGN 4.3 spells it
 [[nodiscard]] std::optional<PartKind> parse_part_kind(std::string_view text);
 
-enum class EndType { kButtWeld, kFlanged, kSocketWeld, kScrewed, kPlain };  // BW FL SW SC PL
+enum class EndType { kButtWeld, kFlanged, kSocketWeld, kScrewed, kPlain };
+[[nodiscard]] std::string_view name(EndType end);  // BW FL SW SC PL
+[[nodiscard]] std::optional<EndType> parse_end_type(std::string_view text);
 
 // Where another part joins; in the part's own frame.
 struct Port {
   std::string name;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();   // m
-  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); // unit, outward
-  double nps = 0;                                       // nominal pipe size, inches; 0 unknown
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();    // m
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  // unit, outward
+  double nps = 0;                                        // nominal pipe size, inches; 0 unknown
   EndType end = EndType::kPlain;
 };
 
-// The bolt holes of a flange about its z axis; clocking of the first hole from x, right-handed about +z.
+// The bolt holes of a flange about its z axis; clocking of the first hole from x, right-handed
+// about +z.
 struct BoltHoles {
   int count = 0;
   double bolt_circle_m = 0;
@@ -64,7 +80,7 @@ struct Part {
   double nps = 0;   // inches; 0 unknown
   double nps2 = 0;  // the smaller end or the branch
   std::string schedule, rating, spool, piece, heat;
-  int order = -1;   // assembly order; -1: as it stands in the file
+  int order = -1;  // assembly order; -1: as it stands in the file
   std::vector<Port> ports;
   std::optional<BoltHoles> holes;
   std::vector<Mark> marks;
@@ -75,6 +91,8 @@ struct Part {
 };
 
 enum class JointType { kFab, kField, kYaw };
+[[nodiscard]] std::string_view name(JointType type);  // fab field yaw
+[[nodiscard]] std::optional<JointType> parse_joint_type(std::string_view text);
 
 // A weld or bolted joint between two ports.
 struct Joint {
@@ -84,9 +102,10 @@ struct Joint {
   JointType type = JointType::kFab;
 };
 
-// A design as read. Everything is metres in the design frame, relative to `origin` (file coordinates =
-// origin + ours), immutable once built and shared between threads by shared_ptr<const DesignModel>.
-// Either `mesh` or `cloud` (the thesis's bare design cloud: one part, no triangles) holds the surface.
+// A design as read. Everything is metres in the design frame, relative to `origin` (file
+// coordinates = origin + ours), immutable once built and shared between threads by shared_ptr<const
+// DesignModel>. Either `mesh` or `cloud` (the thesis's bare design cloud: one part, no triangles)
+// holds the surface.
 struct DesignModel {
   std::string path;
   std::string sha256;

@@ -3,9 +3,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <optional>
+
+#include <Eigen/Core>
 
 #include "vision/core/cloud_view.h"
 #include "vision/core/result.h"
@@ -15,9 +16,10 @@ namespace spool {
 
 // The surface point closest to a query.
 struct SurfacePoint {
-  Eigen::Vector3f point = Eigen::Vector3f::Zero();   // m, design frame
-  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit, outward; of a cloud design: as far as it is known
-  float distance = 0;                                // m, + outside the surface
+  Eigen::Vector3f point = Eigen::Vector3f::Zero();  // m, design frame
+  Eigen::Vector3f normal =
+      Eigen::Vector3f::Zero();  // unit, outward; of a cloud design: as far as it is known
+  float distance = 0;           // m, + outside the surface
   std::int32_t part = -1;
   std::uint32_t element = 0;  // triangle, or point of a cloud design
 };
@@ -28,8 +30,9 @@ struct RayHit {
   std::int32_t part = -1;
 };
 
-// Immutable; const queries from many threads. Embree over triangles; for a cloud design the local plane
-// through the nearest design points (so that sampling spacing does not show; DOMAIN 8.2, trap 4).
+// Immutable; const queries from many threads. Embree over triangles; for a cloud design the local
+// plane through the nearest design points (so that sampling spacing does not show; DOMAIN 8.2, trap
+// 4).
 class DesignSurface {
  public:
   // Builds over `design`, which must outlive it. kBadInput where there is nothing to build over.
@@ -40,11 +43,13 @@ class DesignSurface {
   DesignSurface& operator=(DesignSurface&&) noexcept;
   ~DesignSurface();
 
-  // Nothing where the surface is further than `max_distance` (m). The sign comes from the angle-weighted
-  // pseudonormal (Baerentzen & Aanaes 2005) at edges and vertices.
-  [[nodiscard]] std::optional<SurfacePoint> closest(const Eigen::Vector3f& query, float max_distance) const;
+  // Nothing where the surface is further than `max_distance` (m). The sign comes from the
+  // angle-weighted pseudonormal (Baerentzen & Aanaes 2005) at edges and vertices.
+  [[nodiscard]] std::optional<SurfacePoint> closest(const Eigen::Vector3f& query,
+                                                    float max_distance) const;
   // The first surface along a ray, within `max_distance` (m); always nothing for a cloud design.
-  [[nodiscard]] std::optional<RayHit> cast(const Eigen::Vector3f& from, const Eigen::Vector3f& direction,
+  [[nodiscard]] std::optional<RayHit> cast(const Eigen::Vector3f& from,
+                                           const Eigen::Vector3f& direction,
                                            float max_distance) const;
 
  private:

@@ -17,8 +17,9 @@ struct SurfaceSamples {
   double radius_m = 0;             // no two points are closer
 };
 
-// About `count` samples (within 15 %), no two closer than radius_m, on the design's surface; every point
-// of the surface within 2 * radius_m of one. Same seed, same samples. For a cloud design, its own points thinned the same way.
+// About `count` samples (within 15 %), no two closer than radius_m, on the design's surface; every
+// point of the surface within 2 * radius_m of one. Same seed, same samples. For a cloud design, its
+// own points thinned the same way.
 [[nodiscard]] SurfaceSamples sample_surface(const DesignModel& design, std::size_t count,
                                             std::uint32_t seed = 1);
 
