@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "vision/design/vertex_welding.h"
 
 namespace spool {
