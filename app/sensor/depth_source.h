@@ -49,12 +49,14 @@ struct SourceOptions {
   std::int64_t first_frame = 0;  // recordings: frames before it are skipped
 };
 
-// Opens "openni[:URI]", "FILE.oni", a depth folder or "simulated[:SCENE.json]" (DESIGN 4.1). A sentence
-// otherwise: kBadInput for files, kNoDevice for cameras, kUsage for a text that is none of these.
+// Opens "openni[:URI]", "FILE.oni", a depth folder or "simulated[:SCENE.json]" (DESIGN 4.1). A
+// sentence otherwise: kBadInput for files, kNoDevice for cameras, kUsage for a text that is none of
+// these.
 [[nodiscard]] Result<std::unique_ptr<DepthSource>> open_source(const std::string& text,
                                                                const SourceOptions& options = {});
 
-// True where open_source() would take `path` as a recording (a folder with camera.json, an .oni file).
+// True where open_source() would take `path` as a recording (a folder with camera.json, an .oni
+// file).
 [[nodiscard]] bool is_recording_path(const std::string& path);
 
 }  // namespace spool::sensor

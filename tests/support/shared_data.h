@@ -17,9 +17,9 @@ namespace spool::test {
 }  // namespace spool::test
 
 // Skips the test with its reason where the third-party file or folder is absent; else defines
-// `path`.
-#define SPOOL_REQUIRE_SHARED(path, relative)                               \
-  const auto path##_root = spool::test::shared_data();                     \
-  if (!path##_root || !std::filesystem::exists(*path##_root / (relative))) \
-    GTEST_SKIP() << "third-party data is absent: " << (relative);          \
-  const std::filesystem::path path = *path##_root / (relative)
+// `variable`.
+#define SPOOL_REQUIRE_SHARED(variable, relative)                                   \
+  const auto variable##_root = spool::test::shared_data();                         \
+  if (!variable##_root || !std::filesystem::exists(*variable##_root / (relative))) \
+    GTEST_SKIP() << "third-party data is absent: " << (relative);                  \
+  const std::filesystem::path variable = *variable##_root / (relative)

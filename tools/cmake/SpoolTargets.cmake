@@ -28,8 +28,10 @@ function(spool_library name)
   target_link_libraries(${name} PUBLIC spool_flags)
 endfunction()
 
-# spool_program(NAME sources...): an executable of ours, in build/<preset>/bin.
+# spool_program(NAME sources...): an executable of ours, in build/<preset>/bin. It takes OpenNI2, where it
+# needs it, from the folder beside bin that holds our driver set (app/sensor/CMakeLists.txt).
 function(spool_program name)
   add_executable(${name} ${ARGN})
+  set_target_properties(${name} PROPERTIES BUILD_RPATH "$ORIGIN/../openni2" INSTALL_RPATH "$ORIGIN/../openni2")
   target_link_libraries(${name} PRIVATE spool_flags)
 endfunction()

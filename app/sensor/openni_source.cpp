@@ -1,0 +1,275 @@
+// OpenNI2 cameras and recordings as sources of frames.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "app/sensor/oni_check.h"
+#include "app/sensor/openni.h"
+#include "app/sensor/openni_library.h"
+#include "app/sensor/playback_pace.h"
+#include "app/sensor/relay_protocol.h"
+
+namespace spool::sensor {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+class OpenniSource final : public DepthSource {
+ public:
+  OpenniSource(std::string name, std::unique_ptr<Lease> lease, bool is_file,
+               const SourceOptions& options)
+      : name_(std::move(name)),
+        lease_(std::move(lease)),
+        is_file_(is_file),
+        first_frame_(options.first_frame),
+        pace_(options.speed) {}
+  ~OpenniSource() override { close(); }
+
+  const Camera& camera() const override { return camera_; }
+  std::string description() const override { return description_; }
+  bool is_recording() const override { return is_file_; }
+
+  // Opens the device and starts its depth stream. The camera is set the first time and has to be
+  // the same each time after.
+  Status open(const std::string& uri) {
+    close();
+    if (device_.open(uri.c_str()) != openni::STATUS_OK)
+      return refuse("cannot be opened" + library_says());
+    if (!device_.hasSensor(openni::SENSOR_DEPTH) ||
+        stream_.create(device_, openni::SENSOR_DEPTH) != openni::STATUS_OK)
+      return refuse("has no depth stream" + library_says());
+    if (is_file_)
+      set_up_playback();
+    else
+      set_up_camera();
+    mirrored_ = stream_.getMirroringEnabled();
+    const auto camera = camera_of(stream_, mirrored_);
+    if (!camera) return refuse("does not tell its image size and fields of view");
+    if (camera_.width != 0 &&
+        (camera->width != camera_.width || camera->height != camera_.height ||
+         camera->fx != camera_.fx || camera->depth_unit_m != camera_.depth_unit_m))
+      return refuse("came back as another camera");
+    camera_ = *camera;
+    if (stream_.start() != openni::STATUS_OK)
+      return refuse("does not start its depth stream" + library_says());
+    const openni::DeviceInfo& info = device_.getDeviceInfo();
+    uri_ = info.getUri();
+    device_name_ = info.getName();
+    usb_ = {info.getUsbVendorId(), info.getUsbProductId()};
+    const openni::Version version = openni::OpenNI::getVersion();
+    description_ = (is_file_ ? "OpenNI2 recording " + name_
+                             : std::string(info.getVendor()) + " " + device_name_ + " at " + uri_) +
+                   ", OpenNI " + std::to_string(version.major) + "." +
+                   std::to_string(version.minor) + "." + std::to_string(version.maintenance) + "." +
+                   std::to_string(version.build);
+    is_open_ = true;
+    return {};
+  }
+
+  Result<SourceOutput> next(milliseconds timeout) override {
+    const auto deadline = Clock::now() + timeout;
+    do {
+      while (const auto notice = notices_.next(Clock::time_point())) {
+        if (notice->uri == uri_ && notice->kind == Notices::Kind::kEnded) ended_ = true;
+        if (notice->uri == uri_ && notice->kind == Notices::Kind::kDisconnected && is_open_) {
+          close();  // the frames are copies; stream and device have to go before it can come back
+          return SourceOutput{SourceEvent::kUnplugged, nullptr};
+        }
+      }
+      if (!is_open_) return wait_for_return(deadline);
+      if (!waiting_ && !read(std::min(deadline, Clock::now() + kSlice))) {
+        if (failure_) return *failure_;
+        if (ended_ && is_file_ && count_ == 0)
+          return refuse("holds no depth frame that OpenNI2 can play").error();
+        if (ended_) return SourceOutput{SourceEvent::kEnd, nullptr};
+        continue;
+      }
+      if (waiting_ && is_file_ && waiting_->index < first_frame_) waiting_.reset();
+      if (waiting_ && (!is_file_ || pace_.wait_for(waiting_->seconds, deadline)))
+        return SourceOutput{SourceEvent::kFrame, std::exchange(waiting_, nullptr)};
+    } while (Clock::now() < deadline);
+    return SourceOutput{SourceEvent::kTimeout, nullptr};
+  }
+
+ private:
+  static constexpr milliseconds kSlice{50};  // an unplugged device is noticed within this
+
+  Status refuse(const std::string& why) const {
+    return is_file_ ? Error{ErrorCode::kBadInput, name_ + ": " + why + "; record it again"}
+                    : Error{ErrorCode::kNoDevice,
+                            name_ + ": the camera " + why + "; plug it in again or try another"};
+  }
+
+  void close() {
+    is_open_ = false;
+    if (stream_.isValid()) {
+      stream_.stop();
+      stream_.destroy();
+    }
+    if (device_.isValid()) device_.close();
+  }
+
+  void set_up_playback() {
+    openni::PlaybackControl* playback = device_.getPlaybackControl();
+    if (playback == nullptr) return;
+    playback->setSpeed(-1);  // each frame once, when it is asked for; 0 would drop frames
+    playback->setRepeatEnabled(false);
+  }
+
+  void set_up_camera() {
+    if (device_.isImageRegistrationModeSupported(openni::IMAGE_REGISTRATION_OFF))
+      device_.setImageRegistrationMode(openni::IMAGE_REGISTRATION_OFF);
+    if (const auto mode = best_mode(stream_.getSensorInfo())) stream_.setVideoMode(*mode);
+    stream_.resetCropping();
+    stream_.setMirroringEnabled(false);  // many cameras mirror unless told not to
+  }
+
+  // Puts the next frame into waiting_; false where none came by `deadline`.
+  bool read(Clock::time_point deadline) {
+    const auto left =
+        std::chrono::duration_cast<milliseconds>(deadline - Clock::now() + milliseconds(1));
+    openni::VideoStream* streams[] = {&stream_};
+    int ready = 0;
+    const openni::Status status = openni::OpenNI::waitForAnyStream(
+        streams, 1, &ready, static_cast<int>(std::max(left, milliseconds(1)).count()));
+    if (status == openni::STATUS_TIME_OUT) return false;
+    openni::VideoFrameRef from;
+    if (status != openni::STATUS_OK || stream_.readFrame(&from) != openni::STATUS_OK) {
+      failure_ = refuse("cannot be read" + library_says()).error();
+      return false;
+    }
+    auto frame = std::make_shared<DepthFrame>();
+    frame->width = camera_.width;
+    frame->height = camera_.height;
+    if (!copy_depth(from, mirrored_, *frame)) {
+      failure_ = refuse("gave a depth frame of the wrong size").error();
+      return false;
+    }
+    number(from, *frame);
+    waiting_ = std::move(frame);
+    return true;
+  }
+
+  // A recording's frames are counted; a camera's own numbers (from 1) are kept, so that dropped
+  // frames show. Both number and clock start anew when a camera comes back: then they go on from
+  // where they were.
+  void number(const openni::VideoFrameRef& from, DepthFrame& frame) {
+    const double seconds = static_cast<double>(from.getTimestamp()) * 1e-6;
+    std::int64_t index = is_file_ ? count_ : from.getFrameIndex() - 1 + index_offset_;
+    if (index < next_index_) {
+      index_offset_ += next_index_ - index;
+      index = next_index_;
+    }
+    if (count_ > 0 && seconds + seconds_offset_ < last_seconds_) {
+      const std::chrono::duration<double> gap = Clock::now() - last_arrival_;
+      seconds_offset_ = last_seconds_ + (is_file_ ? 0 : gap.count()) - seconds;
+    }
+    frame.index = index;
+    frame.seconds = seconds + seconds_offset_;
+    next_index_ = index + 1;
+    last_seconds_ = frame.seconds;
+    last_arrival_ = Clock::now();
+    ++count_;
+  }
+
+  // After an unplugging: opens the camera when it, or one of the same make, is connected.
+  Result<SourceOutput> wait_for_return(Clock::time_point deadline) {
+    while (const auto notice = notices_.next(deadline)) {
+      if (notice->kind != Notices::Kind::kConnected) continue;
+      const bool same_make = notice->name == device_name_ && notice->vendor == usb_.first &&
+                             notice->product == usb_.second && usb_ != std::pair(0, 0);
+      if (notice->uri == uri_ || same_make) candidate_ = notice->uri;
+      break;
+    }
+    // A camera may need a moment before it can be opened: it is tried again at the next call.
+    if (candidate_.empty() || !open(candidate_))
+      return SourceOutput{SourceEvent::kTimeout, nullptr};
+    candidate_.clear();
+    return SourceOutput{SourceEvent::kReplugged, nullptr};
+  }
+
+  std::string name_;
+  std::unique_ptr<Lease> lease_;
+  bool is_file_;
+  std::int64_t first_frame_;
+  PlaybackPace pace_;
+  Notices notices_;
+  openni::Device device_;
+  openni::VideoStream stream_;
+  bool is_open_ = false, mirrored_ = false, ended_ = false;
+  Camera camera_;
+  std::string description_, uri_, device_name_;
+  std::pair<int, int> usb_;
+  std::string candidate_;  // URI of the camera that came back
+  std::shared_ptr<DepthFrame> waiting_;
+  std::optional<Error> failure_;
+  std::int64_t count_ = 0, next_index_ = 0, index_offset_ = 0;
+  double last_seconds_ = 0, seconds_offset_ = 0;  // s
+  Clock::time_point last_arrival_;
+};
+
+// True for what is in OpenNI2's list without being a camera: recordings, our simulator and relay.
+bool is_no_camera(const std::string& uri) {
+  std::error_code ignored;
+  return uri.rfind(kRelayScheme, 0) == 0 || uri.rfind(kSimulatorScheme, 0) == 0 ||
+         fs::exists(uri, ignored);
+}
+
+OpenedSource opened(std::string name, const std::string& uri, std::unique_ptr<Lease> lease,
+                    bool is_file, const SourceOptions& options) {
+  auto source = std::make_unique<OpenniSource>(std::move(name), std::move(lease), is_file, options);
+  if (const Status status = source->open(uri); !status) return status.error();
+  return std::unique_ptr<DepthSource>(std::move(source));
+}
+
+}  // namespace
+
+OpenedSource open_openni_device(const std::string& uri) {
+  auto lease = Lease::take(uri.empty() ? "openni" : uri);
+  if (!lease) return lease.error();
+  if (!uri.empty()) return opened("openni:" + uri, uri, *std::move(lease), false, {});
+  openni::Array<openni::DeviceInfo> devices;
+  openni::OpenNI::enumerateDevices(&devices);
+  for (int i = 0; i < devices.getSize(); ++i)
+    if (const std::string found = devices[i].getUri(); !is_no_camera(found))
+      return opened("openni", found, *std::move(lease), false, {});
+  return Error{ErrorCode::kNoDevice,
+               "openni: no depth camera is found; plug one in, put its maker's OpenNI2 driver into "
+               "openni2/OpenNI2/Drivers beside the programs, or use a recording"};
+}
+
+OpenedSource open_simulated(const std::string& scene) {
+  const std::string uri = kSimulatorScheme + (scene.empty() ? scene : fs::absolute(scene).string());
+  if (uri.size() >= ONI_MAX_STR)
+    return Error{ErrorCode::kBadInput,
+                 scene + ": the path is too long for OpenNI2; use a shorter one"};
+  auto lease = Lease::take(uri);
+  if (!lease) return lease.error();
+  return opened("simulated:" + scene, uri, *std::move(lease), false, {});
+}
+
+OpenedSource open_oni_unchecked(const std::string& path, const SourceOptions& options) {
+  std::error_code code;
+  const std::string uri = fs::absolute(path, code).string();
+  if (!fs::is_regular_file(uri, code))
+    return Error{ErrorCode::kBadInput, path + ": is no file that can be read; check the path"};
+  if (uri.size() >= ONI_MAX_STR)
+    return Error{ErrorCode::kBadInput,
+                 path + ": the path is too long for OpenNI2; use a shorter one"};
+  auto lease = Lease::take(uri);
+  if (!lease) return lease.error();
+  return opened(path, uri, *std::move(lease), true, options);
+}
+
+OpenedSource open_oni_file(const std::string& path, const SourceOptions& options) {
+  if (const Status checked = check_oni(path); !checked) return checked.error();
+  return open_oni_unchecked(path, options);
+}
+
+}  // namespace spool::sensor
