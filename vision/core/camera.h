@@ -27,7 +27,7 @@ struct Camera {
   double cx = 0;                // px
   double cy = 0;                // px
   double depth_unit_m = 0.001;  // m for one count of depth
-  Calibration calibration;
+  Calibration calibration = {};
 
   // The point (m) seen at pixel (u, v) at depth z (m along the optical axis).
   [[nodiscard]] Eigen::Vector3d back_project(double u, double v, double z) const {
