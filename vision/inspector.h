@@ -20,34 +20,37 @@ namespace spool {
 
 struct InspectorOptions {
   AlignMethod align = AlignMethod::kPrincipalAxes;
-  std::vector<PointPair> pairs;   // for kThreePoint, files' own coordinates (m)
+  std::vector<PointPair> pairs;       // for kThreePoint, files' own coordinates (m)
   std::optional<Pose> T_design_scan;  // for kPose, files' own coordinates; taken as given
   DeclutterOptions declutter;
-  bool units_confirmed = true;    // false: a unit was inferred, nothing may be ok
-  bool single_frame = false;      // the scan is one frame of a sequence; said in the report
+  bool units_confirmed = true;  // false: a unit was inferred, nothing may be ok
+  bool single_frame = false;    // the scan is one frame of a sequence; said in the report
   std::uint32_t seed = 1;
 };
 
-// What is prepared once a design: surface and samples. Shared by threads, immutable.
+// What is prepared once a design. Shared by threads, immutable.
 struct PreparedDesign {
   DesignModel model;
-  std::unique_ptr<DesignSurface> surface;  // over `model`
-  SurfaceSamples samples;
+  DesignModel exterior;                    // `model` without the triangles that no sensor can see
+  std::unique_ptr<DesignSurface> surface;  // over `exterior`
+  SurfaceSamples samples;                  // of `exterior`
 
-  [[nodiscard]] static Result<std::shared_ptr<const PreparedDesign>> prepare(DesignModel model,
-                                                                             std::uint32_t seed = 1);
+  [[nodiscard]] static Result<std::shared_ptr<const PreparedDesign>> prepare(
+      DesignModel model, std::uint32_t seed = 1);
 };
 
-// Runs the method of the thesis on one scan: align, declutter, measure, judge. Synchronous; const and
-// reentrant apart from the scratch it owns, so one inspector a thread.
+// Runs the method of the thesis on one scan: align, declutter, measure, judge. Synchronous; const
+// and reentrant apart from the scratch it owns, so one inspector a thread.
 class Inspector {
  public:
   explicit Inspector(std::shared_ptr<const PreparedDesign> design) : design_(std::move(design)) {}
 
-  // `scan`: metres in the scan's own frame, NaN allowed, normals optional (estimated where needed). The
-  // mathematics' doubts are in the result; an Error is only for input that cannot be used at all.
+  // `scan`: metres in the scan's own frame, NaN allowed, normals optional (estimated where needed).
+  // The mathematics' doubts are in the result; an Error is only for input that cannot be used at
+  // all.
   [[nodiscard]] Result<Inspection> process(const PointCloud& scan, const NoiseModel& noise,
-                                           const InspectorOptions& options, const Watch& watch = {}) const;
+                                           const InspectorOptions& options,
+                                           const Watch& watch = {}) const;
 
  private:
   std::shared_ptr<const PreparedDesign> design_;

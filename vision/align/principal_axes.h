@@ -14,16 +14,18 @@
 namespace spool {
 
 struct PrincipalAxesResult {
-  IcpResult best;                      // after ICP
-  std::vector<IcpResult> alternatives; // other combinations that end as well within the noise, best first
-  bool ambiguous = false;              // alternatives is not empty
-  int combinations = 24;               // proper rotations tried
+  IcpResult best;  // after ICP
+  std::vector<IcpResult>
+      alternatives;        // other combinations that end as well within the noise, best first
+  bool ambiguous = false;  // alternatives is not empty
+  int combinations = 24;   // proper rotations tried
 };
 
 // Centres and principal axes of both clouds brought together in each of the 24 proper signed axis
-// permutations, each refined by ICP, the one with the least trimmed point-to-surface error kept. The scan
-// has to be the object alone or nearly (the thesis cleans it by hand first).
-[[nodiscard]] PrincipalAxesResult align_principal_axes(const CloudView& scan, const CloudView& design,
+// permutations, each refined by ICP, the one with the least trimmed point-to-surface error kept.
+// The scan has to be the object alone or nearly (the thesis cleans it by hand first).
+[[nodiscard]] PrincipalAxesResult align_principal_axes(const CloudView& scan,
+                                                       const CloudView& design,
                                                        const DesignSurface& surface,
                                                        const IcpOptions& options = {},
                                                        const Watch& watch = {});

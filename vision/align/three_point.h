@@ -1,14 +1,17 @@
-// A pose from picked pairs: rigid, no scale, refused with its reason where the picks do not make one.
+// A pose from picked pairs: rigid, no scale, refused with its reason where they do not make one.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "vision/core/pose.h"
+#include "vision/core/result.h"
 
 namespace spool {
 
@@ -29,13 +32,23 @@ struct PairsAlignment {
 };
 
 struct PairsOptions {
-  double max_residual_m = 0.05;     // m; a tap is off by 5-20 mm (DOMAIN 7)
-  double min_separation_m = 0.02;   // m between any two picks
-  double min_spread_ratio = 0.05;   // smaller over larger spread of the triple; below: collinear
+  double max_residual_m = 0.05;    // m; a tap is off by 5-20 mm (DOMAIN 7)
+  double min_separation_m = 0.02;  // m between any two picks
+  double min_spread_ratio = 0.05;  // smaller over larger spread of the triple; below: collinear
 };
+
+// What makes no sense in `options`, kUsage; nothing where all is well.
+[[nodiscard]] std::optional<Error> validate(const PairsOptions& options);
 
 // Least-squares rigid pose of three or more pairs (Horn 1987; Umeyama 1991 without scale, proper
 // rotations only). Mirrored: a reflection (or exchanged picks) would fit far better.
-[[nodiscard]] PairsAlignment align_pairs(std::span<const PointPair> pairs, const PairsOptions& options = {});
+[[nodiscard]] PairsAlignment align_pairs(std::span<const PointPair> pairs,
+                                         const PairsOptions& options = {});
+
+// How far (m) the pose may put a point at `design_point` off when each pick is off by `pick_error`
+// (m, standard deviation in each coordinate): the picks' lever arms. Pairs as align_pairs()
+// accepted them.
+[[nodiscard]] double predicted_error(std::span<const PointPair> pairs, double pick_error,
+                                     const Eigen::Vector3d& design_point);
 
 }  // namespace spool

@@ -17,12 +17,14 @@ namespace spool {
 
 // One entry a scan point. Clutter: NaN and -1.
 struct Deviations {
-  std::vector<float> distance_m;   // + outside the design's surface
+  std::vector<float> distance_m;  // + outside the design's surface
   std::vector<std::int32_t> part;
 };
 
-// Points in the design frame; those further than `max_distance` (m) count as clutter: their class is changed.
-[[nodiscard]] Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass> classes,
+// Points in the design frame; those further than `max_distance` (m) count as clutter: their class
+// is changed.
+[[nodiscard]] Deviations measure_deviations(const CloudView& scan_design,
+                                            std::span<PointClass> classes,
                                             const DesignSurface& surface, float max_distance);
 
 // Point-to-surface statistics of one part. Scan quality and colour; never a verdict.
@@ -32,7 +34,8 @@ struct PartDeviation {
   double coverage = 0;  // share of the part's surface samples with an object point near
 };
 
-[[nodiscard]] std::vector<PartDeviation> summarise_parts(const DesignModel& design, const CloudView& scan_design,
+[[nodiscard]] std::vector<PartDeviation> summarise_parts(const DesignModel& design,
+                                                         const CloudView& scan_design,
                                                          std::span<const PointClass> classes,
                                                          const Deviations& deviations,
                                                          const SurfaceSamples& samples);

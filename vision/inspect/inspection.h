@@ -3,12 +3,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "vision/align/icp.h"
 #include "vision/core/pose.h"
@@ -18,18 +19,20 @@
 namespace spool {
 
 enum class Verdict { kOk, kSuspicious, kNotOk, kNotMeasured };
-[[nodiscard]] std::string_view name(Verdict verdict);  // "ok", "suspicious", "not_ok", "not_measured"
+[[nodiscard]] std::string_view name(
+    Verdict verdict);  // "ok", "suspicious", "not_ok", "not_measured"
 // The worse of two in the order not_ok, suspicious, not_measured, ok (DESIGN 4.1).
 [[nodiscard]] Verdict worse(Verdict a, Verdict b);
 
 enum class AlignMethod { kPose, kThreePoint, kPrincipalAxes, kFind };
-[[nodiscard]] std::string_view name(AlignMethod method);  // "pose", "three-point", "principal-axes", "find"
+[[nodiscard]] std::string_view name(
+    AlignMethod method);  // "pose", "three-point", "principal-axes", "find"
 [[nodiscard]] std::optional<AlignMethod> parse_align_method(std::string_view text);
 
 struct Alignment {
   AlignMethod method = AlignMethod::kPose;
-  bool found = false;          // false: nothing below means anything
-  std::string reason;          // why not, or what to mind
+  bool found = false;                     // false: nothing below means anything
+  std::string reason;                     // why not, or what to mind
   Pose T_design_scan = Pose::Identity();  // between the files' own frames (origins included)
   Matrix6d covariance = Matrix6d::Zero();
   std::vector<WeakDirection> weak_directions;
@@ -59,13 +62,14 @@ struct Finding {
 struct Inspection {
   Alignment alignment;
   DeclutterResult declutter;
-  PointCloud scan_design;   // every input point in input order, in the design frame (design origin taken off)
-  Deviations deviations;    // one entry a point of scan_design
+  PointCloud scan_design;  // every input point in input order, in the design frame (design origin
+                           // taken off)
+  Deviations deviations;   // one entry a point of scan_design
   std::vector<PartFinding> parts;  // in the design's order
   std::vector<Finding> findings;
   Verdict status = Verdict::kNotMeasured;
-  std::string status_reason;       // one sentence
-  double scan_rms_m = 0;           // eq. 3.1, scan quality
+  std::string status_reason;  // one sentence
+  double scan_rms_m = 0;      // eq. 3.1, scan quality
   std::map<std::string, double> timing_s;
 };
 

@@ -1,0 +1,270 @@
+// Iterative closest point: gates that close level by level, steps in the held motions only.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/align/icp.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+#include "vision/core/parallel.h"
+
+namespace spool {
+namespace {
+
+constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kCoarsePoints = 8000;  // while the gate is open, as many say as much as all
+
+// The points within reach of the surface, by place in the scan.
+using Indices = std::vector<std::uint32_t>;
+
+bool is_usable(const CloudView& scan, std::size_t i) { return scan.points[i].allFinite(); }
+
+// Points nearer than `reach` to the surface at pose T, in order.
+Indices near_points(const CloudView& scan, const DesignSurface& surface, const Pose& T, float reach,
+                    const Watch& watch) {
+  std::vector<std::uint8_t> near(scan.size(), 0);
+  const Eigen::Isometry3f T_f = T.cast<float>();
+  parallel_chunks(scan.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    if (watch.cancelled()) return;
+    for (std::size_t i = begin; i < end; ++i)
+      if (is_usable(scan, i)) near[i] = surface.closest(T_f * scan.points[i], reach).has_value();
+  });
+  Indices indices;
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    if (near[i]) indices.push_back(static_cast<std::uint32_t>(i));
+  return indices;
+}
+
+// About `count` of them, evenly strewn whatever order the scan is in: those whose hash is least.
+Indices strewn(const Indices& all, std::size_t count) {
+  if (all.size() <= count) return all;
+  Indices some;
+  const auto limit = static_cast<std::uint32_t>(4294967295.0 * static_cast<double>(count) /
+                                                static_cast<double>(all.size()));
+  for (const std::uint32_t i : all) {
+    std::uint32_t h = i * 2654435761u;  // Knuth's multiplicative hash, then a mix
+    h ^= h >> 16;
+    h *= 2246822519u;
+    h ^= h >> 13;
+    if (h <= limit) some.push_back(i);
+  }
+  return some;
+}
+
+class Matcher {
+ public:
+  Matcher(const CloudView& scan, const DesignSurface& surface, const IcpOptions& options)
+      : scan_(scan), surface_(surface), options_(options) {}
+
+  // Compares the chosen points at pose T; those beyond the gate, off an edge or facing elsewhere
+  // get weight 0, the rest weight 1.
+  void match(const Indices& indices, const Pose& T, double gate, const Watch& watch,
+             std::vector<Correspondence>& matches) const {
+    matches.assign(indices.size(), Correspondence{});
+    const Eigen::Isometry3f T_f = T.cast<float>();
+    const auto cosine = static_cast<float>(std::cos(options_.max_normal_angle_rad));
+    // Past an edge the closest point stops moving along the surface: it says nothing about the
+    // plane.
+    const auto off_edge = static_cast<float>(std::max(3 * options_.noise_m, 0.25 * gate));
+    const auto gate_f = static_cast<float>(gate);
+    parallel_chunks(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+      if (watch.cancelled()) return;
+      for (std::size_t k = begin; k < end; ++k) {
+        const Eigen::Vector3f p = T_f * scan_.points[indices[k]];
+        const auto hit = surface_.closest(p, gate_f);
+        if (!hit || hit->normal.squaredNorm() < 0.5F) continue;
+        const Eigen::Vector3f offset = p - hit->point;
+        const float residual = hit->normal.dot(offset);
+        if (offset.squaredNorm() - residual * residual > off_edge * off_edge) continue;
+        if (scan_.has_normals()) {
+          const Eigen::Vector3f& n = scan_.normals[indices[k]];
+          const float facing = hit->normal.dot(T_f.linear() * n);
+          const bool known = n.squaredNorm() > 0.5F;
+          if (known && (options_.oriented_normals ? facing : std::abs(facing)) < cosine) continue;
+        }
+        matches[k] = {p, hit->normal, residual, 1.0F};
+      }
+    });
+  }
+
+ private:
+  const CloudView& scan_;
+  const DesignSurface& surface_;
+  const IcpOptions& options_;
+};
+
+// 1.4826 times the median absolute residual of what has weight: the standard deviation of the clean
+// part.
+double robust_sigma(std::span<const Correspondence> matches) {
+  std::vector<float> sizes;
+  sizes.reserve(matches.size());
+  for (const Correspondence& m : matches)
+    if (m.weight > 0) sizes.push_back(std::abs(m.residual));
+  if (sizes.empty()) return 0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return 1.4826 * double{*middle};
+}
+
+void trim(std::vector<Correspondence>& matches, double fraction) {
+  if (fraction <= 0) return;
+  std::vector<float> sizes;
+  for (const Correspondence& m : matches)
+    if (m.weight > 0) sizes.push_back(std::abs(m.residual));
+  const auto drop = static_cast<std::size_t>(fraction * static_cast<double>(sizes.size()));
+  if (drop == 0) return;
+  const auto first = sizes.end() - static_cast<std::ptrdiff_t>(drop);
+  std::nth_element(sizes.begin(), first, sizes.end());
+  for (Correspondence& m : matches)
+    if (std::abs(m.residual) >= *first) m.weight = 0;
+}
+
+// Tukey's biweight: weight (1 - (r/c)^2)^2, nothing beyond c.
+void weigh(std::vector<Correspondence>& matches, double width) {
+  const auto c2 = static_cast<float>(width * width);
+  for (Correspondence& m : matches) {
+    if (m.weight <= 0) continue;
+    const float q = m.residual * m.residual / c2;
+    m.weight = q < 1 ? (1 - q) * (1 - q) : 0.0F;
+  }
+}
+
+// The variance that belongs to unit weight in the information: Huber's sandwich E[psi^2] /
+// E[psi']^2 for the biweight, times the mean weight that the information already holds.
+double residual_variance(std::span<const Correspondence> matches, double width) {
+  double n = 0, psi2 = 0, slope = 0, weight = 0;
+  for (const Correspondence& m : matches) {
+    if (m.weight <= 0) continue;
+    const double r = m.residual;
+    const double q = r * r / (width * width);
+    n += 1;
+    weight += m.weight;
+    psi2 += r * r * double{m.weight} * double{m.weight};
+    slope += (1 - q) * (1 - 5 * q);
+  }
+  if (n <= 6) return width * width;
+  // A slope near zero: residuals spread evenly over the gate, so nothing but the gate bounds them.
+  slope = std::max(slope / n, 0.05);
+  return std::max(1e-14, psi2 / (n - 6) / (slope * slope) * (weight / n));
+}
+
+Pose moved(const Pose& T, const Vector6d& step, const Eigen::Vector3d& centre) {
+  Pose motion = pose_from_small(step);
+  motion.translation() += centre - motion.linear() * centre;
+  Pose result = motion * T;
+  result.linear() = Eigen::Quaterniond(result.linear()).normalized().toRotationMatrix();
+  return result;
+}
+
+// Root mean square displacement (m) that the step gives the correspondences.
+double displacement(const NormalEquations& equations, const Vector6d& step) {
+  return std::sqrt(std::max(0.0, step.dot(equations.mass * step)));
+}
+
+void summarise(const NormalEquations& equations, const HeldMotions& motions,
+               const std::vector<Correspondence>& matches, double gate, IcpResult& result) {
+  double sum = 0;
+  for (const Correspondence& m : matches) {
+    if (m.weight <= 0) continue;
+    result.correspondences += 1;
+    sum += double{m.residual} * double{m.residual};
+  }
+  if (result.correspondences == 0) return;
+  result.rms_m = std::sqrt(sum / static_cast<double>(result.correspondences));
+  const double variance = residual_variance(matches, gate);
+  result.information = information_at_origin(equations);
+  result.covariance = motion_covariance(equations, motions, variance);
+  result.weak_directions = describe_weak(equations, motions, variance);
+}
+
+}  // namespace
+
+std::optional<Error> validate(const IcpOptions& options) {
+  const bool good = options.max_iterations >= 0 && options.start_distance_m > 0 &&
+                    options.noise_m > 0 && options.max_normal_angle_rad > 0 &&
+                    options.trim_fraction >= 0 && options.trim_fraction < 1 &&
+                    options.stop_translation_m > 0 && options.stop_rotation_rad > 0;
+  if (good) return std::nullopt;
+  return Error{
+      ErrorCode::kUsage,
+      "The refinement needs distances, noise and stops above zero and a trimmed share from 0 "
+      "to below 1."};
+}
+
+IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const Pose& T_guess,
+                     const IcpOptions& options, const Watch& watch) {
+  assert(!validate(options) && "options as validate() accepts them");
+  IcpResult result;
+  result.T_design_scan = T_guess;
+  Pose& T = result.T_design_scan;
+  const double last_gate = 3 * options.noise_m;
+  double gate =
+      options.max_iterations == 0 ? last_gate : std::max(options.start_distance_m, last_gate);
+  // Twice the gate: until the pose has moved by a gate, nothing further can come into it.
+  double reach = 2 * gate;
+  Pose T_near = T;
+  Indices near = near_points(scan, surface, T, static_cast<float>(reach), watch);
+  Indices chosen = gate > last_gate ? strewn(near, kCoarsePoints) : near;
+
+  const Matcher matcher(scan, surface, options);
+  std::vector<Correspondence> matches;
+  NormalEquations equations;
+  HeldMotions motions;
+  int at_level = 0;
+  while (!watch.cancelled()) {
+    matcher.match(chosen, T, gate, watch, matches);
+    if (watch.cancelled()) break;
+    const double sigma = robust_sigma(matches);
+    trim(matches, options.trim_fraction);
+    weigh(matches, gate);
+    equations = build_normal_equations(matches);
+    motions = held_motions(equations, matches);
+    if (result.iterations >= options.max_iterations || equations.weight < 6) break;
+    const Vector6d step = solve_held(equations, motions);
+    T = moved(T, step, equations.centre);
+    ++result.iterations;
+    ++at_level;
+    watch.report("align", static_cast<double>(result.iterations) / options.max_iterations);
+
+    const bool last = gate <= last_gate;
+    if (last && step.head<3>().norm() < options.stop_translation_m &&
+        step.tail<3>().norm() < options.stop_rotation_rad) {
+      result.converged = true;
+      break;
+    }
+    // Settled at this gate: close it as far as the residuals' own scale says, in bounded steps.
+    if (!last && (displacement(equations, step) < 0.05 * gate || at_level >= 8)) {
+      gate = std::max(last_gate, std::clamp(4.685 * sigma, 0.4 * gate, 0.7 * gate));
+      at_level = 0;
+      if (gate <= last_gate) chosen = near;
+    }
+    const Pose since = T * T_near.inverse();
+    const double moved_m =
+        (since * equations.centre - equations.centre).norm() +
+        pose_size(since).rotation_rad * std::sqrt(equations.mass.bottomRightCorner<3, 3>().trace());
+    if (moved_m > reach - gate) {
+      reach = gate <= last_gate ? 4 * gate : 2 * gate;
+      T_near = T;
+      near = near_points(scan, surface, T, static_cast<float>(reach), watch);
+      chosen = gate > last_gate ? strewn(near, kCoarsePoints) : near;
+    }
+  }
+  if (gate > last_gate && !watch.cancelled()) {
+    // Out of iterations with the gate open: the figures still have to be those of the last gate.
+    gate = last_gate;
+    matcher.match(near, T, gate, watch, matches);
+    weigh(matches, gate);
+    equations = build_normal_equations(matches);
+    motions = held_motions(equations, matches);
+  }
+  summarise(equations, motions, matches, gate, result);
+  std::size_t finite = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) finite += is_usable(scan, i) ? 1U : 0U;
+  result.overlap =
+      finite == 0 ? 0 : static_cast<double>(result.correspondences) / static_cast<double>(finite);
+  return result;
+}
+
+}  // namespace spool

@@ -1,0 +1,147 @@
+// Signed distances of the kept points and their statistics, part by part.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/inspect/deviation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "vision/core/parallel.h"
+#include "vision/scan/point_index.h"
+
+namespace spool {
+namespace {
+
+constexpr std::size_t kGrain = 2048;
+
+// The distance (m) within which an object point vouches for a surface sample: as far apart as
+// samples are, or as the scan's own points are where it is the sparser (median distance to the
+// fourth neighbour).
+double vouching_radius(const PointIndex& object, const std::vector<Eigen::Vector3f>& points,
+                       double sample_radius) {
+  const std::size_t step = points.size() / 2000 + 1;  // two thousand say enough of a median
+  const auto bound = static_cast<float>(10 * sample_radius);
+  std::vector<float> fourth;
+  std::vector<Neighbour> neighbours;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    object.nearest_k(points[i], 5, bound, neighbours);  // the first is the point itself
+    fourth.push_back(neighbours.size() == 5 ? neighbours.back().distance : bound);
+  }
+  if (fourth.empty()) return sample_radius;
+  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
+  std::nth_element(fourth.begin(), middle, fourth.end());
+  return std::max(sample_radius, std::min<double>(double{*middle}, 5 * sample_radius));
+}
+
+void add_coverage(const CloudView& scan, const Deviations& deviations,
+                  const SurfaceSamples& samples, std::vector<PartDeviation>& parts) {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<std::uint32_t> place;
+  float furthest = 0;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (deviations.part[i] < 0) continue;
+    points.push_back(scan.points[i]);
+    place.push_back(static_cast<std::uint32_t>(i));
+    furthest = std::max(furthest, std::abs(deviations.distance_m[i]));
+  }
+  if (points.empty()) return;
+  const PointIndex index(points);
+  const double radius = vouching_radius(index, points, samples.radius_m);
+  const auto reach = static_cast<float>(std::hypot(radius, double{furthest}));
+  std::vector<std::uint8_t> seen(samples.part.size(), 0);
+  parallel_chunks(samples.part.size(), 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> neighbours;
+    for (std::size_t s = begin; s < end; ++s) {
+      index.within(samples.cloud.points[s], reach, neighbours);
+      for (const Neighbour& n : neighbours) {
+        const std::size_t i = place[n.index];
+        if (deviations.part[i] != samples.part[s]) continue;
+        // A deviating point vouches for the surface at its foot, not for where it hangs.
+        const double d = deviations.distance_m[i];
+        if (double{n.distance} * double{n.distance} > radius * radius + d * d) continue;
+        seen[s] = 1;
+        break;
+      }
+    }
+  });
+  std::vector<std::size_t> total(parts.size(), 0), covered(parts.size(), 0);
+  for (std::size_t s = 0; s < samples.part.size(); ++s) {
+    const auto part = static_cast<std::size_t>(samples.part[s]);
+    total[part] += 1;
+    covered[part] += seen[s];
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p)
+    if (total[p] > 0)
+      parts[p].coverage = static_cast<double>(covered[p]) / static_cast<double>(total[p]);
+}
+
+}  // namespace
+
+Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass> classes,
+                              const DesignSurface& surface, float max_distance) {
+  assert(classes.size() == scan_design.size() && "a class for every point");
+  Deviations deviations;
+  deviations.distance_m.assign(scan_design.size(), std::numeric_limits<float>::quiet_NaN());
+  deviations.part.assign(scan_design.size(), -1);
+  parallel_chunks(scan_design.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (classes[i] == PointClass::kClutter) continue;
+      const Eigen::Vector3f& p = scan_design.points[i];
+      const auto hit = p.allFinite() ? surface.closest(p, max_distance) : std::nullopt;
+      if (!hit) {
+        classes[i] = PointClass::kClutter;
+        continue;
+      }
+      deviations.distance_m[i] = hit->distance;
+      deviations.part[i] = hit->part;
+    }
+  });
+  return deviations;
+}
+
+std::vector<PartDeviation> summarise_parts(const DesignModel& design, const CloudView& scan_design,
+                                           std::span<const PointClass> classes,
+                                           const Deviations& deviations,
+                                           const SurfaceSamples& samples) {
+  assert(classes.size() == scan_design.size() && deviations.part.size() == scan_design.size() &&
+         "parallel arrays");
+  std::vector<PartDeviation> parts(design.parts.size());
+  std::vector<std::vector<float>> sizes(parts.size());
+  for (std::size_t i = 0; i < scan_design.size(); ++i) {
+    if (classes[i] != PointClass::kObject || deviations.part[i] < 0) continue;
+    const auto p = static_cast<std::size_t>(deviations.part[i]);
+    const double d = deviations.distance_m[i];
+    parts[p].points += 1;
+    parts[p].mean_m += d;
+    parts[p].rms_m += d * d;
+    sizes[p].push_back(std::abs(deviations.distance_m[i]));
+  }
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (parts[p].points == 0) continue;
+    const auto n = static_cast<double>(parts[p].points);
+    parts[p].mean_m /= n;
+    parts[p].rms_m = std::sqrt(parts[p].rms_m / n);
+    parts[p].max_abs_m = *std::max_element(sizes[p].begin(), sizes[p].end());
+    // Nearest rank: the smallest size that 95 % of the points do not exceed.
+    const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.95 * n)) - 1;
+    std::nth_element(sizes[p].begin(), sizes[p].begin() + rank, sizes[p].end());
+    parts[p].p95_abs_m = sizes[p][static_cast<std::size_t>(rank)];
+  }
+  add_coverage(scan_design, deviations, samples, parts);
+  return parts;
+}
+
+double rms(const Deviations& deviations) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const float d : deviations.distance_m) {
+    if (!std::isfinite(d)) continue;
+    sum += double{d} * double{d};
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));  // eq. 3.1
+}
+
+}  // namespace spool

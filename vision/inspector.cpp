@@ -1,0 +1,113 @@
+// The main path: align, declutter, measure, judge.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/inspector.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+#include "vision/design/exterior.h"
+#include "vision/inspect/judge.h"
+#include "vision/inspect/scan_alignment.h"
+
+namespace spool {
+namespace {
+
+constexpr std::size_t kModelSamples =
+    12000;  // as many as the thesis's model had (12 061, Table 5-1)
+
+// Seconds since the last mark, written under a stage's name.
+class StageClock {
+ public:
+  explicit StageClock(std::map<std::string, double>& timing_s) : timing_s_(timing_s) {}
+  void mark(const char* stage) {
+    const auto now = Clock::now();
+    timing_s_[stage] = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    timing_s_["total"] = std::chrono::duration<double>(now - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::map<std::string, double>& timing_s_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_ = start_;
+};
+
+// How far (m) from the surface a kept point still counts as the object's. Ten standard deviations:
+// no reading of the surface gets there by noise. At least 20 mm, over three times the widest
+// tolerance of PFI ES-3 for a dimension (6 mm), so that an error worth a verdict is coloured and
+// not cut away.
+float deviation_bound(double noise_m) { return static_cast<float>(std::max(10 * noise_m, 0.020)); }
+
+bool has_finite_point(const PointCloud& scan) {
+  return std::any_of(scan.points.begin(), scan.points.end(),
+                     [](const Eigen::Vector3f& p) { return p.allFinite(); });
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PreparedDesign>> PreparedDesign::prepare(DesignModel model,
+                                                                      std::uint32_t seed) {
+  auto prepared = std::make_shared<PreparedDesign>();
+  prepared->model = std::move(model);
+  Result<DesignSurface> whole = DesignSurface::build(prepared->model);
+  if (!whole) return whole.error();
+  prepared->exterior = exterior_of(prepared->model, *whole);
+  Result<DesignSurface> surface = DesignSurface::build(prepared->exterior);
+  if (!surface) return surface.error();
+  prepared->surface = std::make_unique<DesignSurface>(std::move(*surface));
+  prepared->samples = sample_surface(prepared->exterior, kModelSamples, seed);
+  return std::shared_ptr<const PreparedDesign>(std::move(prepared));
+}
+
+Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& noise,
+                                      const InspectorOptions& options, const Watch& watch) const {
+  if (!scan.is_consistent() || !has_finite_point(scan))
+    return Error{ErrorCode::kBadInput, "The scan has no measured point; scan the spool again."};
+  const DesignModel& design = design_->model;
+  const JudgeOptions judging{.units_confirmed = options.units_confirmed,
+                             .single_frame = options.single_frame};
+  Inspection inspection;
+  StageClock clock(inspection.timing_s);
+
+  // Where the picks, the pose or nothing put the scan.
+  const AlignRequest request{options.align, options.pairs, options.T_design_scan};
+  const Placement placement = place_scan(request, design, scan.origin);
+  const double noise_m = typical_noise_m(scan, noise);
+  // What the refinement looks at: points near the design there, with normals.
+  const PointCloud near = refinement_cloud(scan, *design_->surface, placement);
+  clock.mark("normals");
+  // The pose, and how far it can be trusted.
+  inspection.alignment = align_scan(request, placement, near, scan.has_normals(), noise_m, design,
+                                    *design_->surface, design_->samples, watch);
+  clock.mark("align");
+  inspection.alignment.seconds = inspection.timing_s["normals"] + inspection.timing_s["align"];
+  // Every point in the design frame, in input order.
+  inspection.scan_design = to_design_frame(scan, design, inspection.alignment.T_design_scan);
+  // Which of them are the object.
+  inspection.declutter =
+      inspection.alignment.found
+          ? declutter_knn(inspection.scan_design, design_->samples.cloud, options.declutter)
+          : nothing_kept(scan.size(), options.declutter);
+  clock.mark("declutter");
+  // How far each of those lies off the design's surface.
+  inspection.deviations = measure_deviations(inspection.scan_design, inspection.declutter.classes,
+                                             *design_->surface, deviation_bound(noise_m));
+  count_classes(inspection.declutter);
+  inspection.scan_rms_m = rms(inspection.deviations);
+  // What that says of each part.
+  const std::vector<PartDeviation> parts =
+      summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
+                      inspection.deviations, design_->samples);
+  clock.mark("deviation");
+  // What may be said of it.
+  inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
+  inspection.findings = collect_findings(inspection.alignment, judging);
+  judge_whole(inspection, judging);
+  clock.mark("judge");
+  return inspection;
+}
+
+}  // namespace spool
