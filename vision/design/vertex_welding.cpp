@@ -55,6 +55,8 @@ std::vector<std::uint32_t> weld_vertices(std::span<const Eigen::Vector3f> vertic
   CellTable table(vertices.size());
   std::vector<std::uint32_t> welded(vertices.size());
   for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    welded[v] = v;
+    if (!vertices[v].allFinite()) continue;
     const Eigen::Array3d p = vertices[v].cast<double>().array();
     const auto low = cell_of(p - static_cast<double>(tolerance));
     const auto high = cell_of(p + static_cast<double>(tolerance));
@@ -69,7 +71,7 @@ std::vector<std::uint32_t> weld_vertices(std::span<const Eigen::Vector3f> vertic
         }
       }
     }
-    welded[v] = found == kNone ? v : found;
+    if (found != kNone) welded[v] = found;
     if (found == kNone) table.insert(cell_of(p), v);
   }
   return welded;
@@ -78,7 +80,7 @@ std::vector<std::uint32_t> weld_vertices(std::span<const Eigen::Vector3f> vertic
 float welding_tolerance(std::span<const Eigen::Vector3f> vertices) {
   float largest = 0;
   for (const Eigen::Vector3f& vertex : vertices) {
-    largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+    if (vertex.allFinite()) largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
   }
   return std::max(1e-6F, 4 * largest * std::numeric_limits<float>::epsilon());
 }
