@@ -15,8 +15,8 @@
 namespace spool::render {
 
 struct Image {
-  int width = 0;   // px
-  int height = 0;  // px
+  int width = 0;                   // px
+  int height = 0;                  // px
   std::vector<std::uint8_t> rgba;  // width * height * 4
 
   [[nodiscard]] const std::uint8_t* pixel(int x, int y) const {

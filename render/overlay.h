@@ -1,14 +1,15 @@
-// The picture: background, live cloud coloured by deviation, translucent design, legend. One state in, pixels out.
+// The picture: live cloud coloured by deviation, clear design, legend. One state in, pixels out.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "render/offscreen.h"
 #include "render/view.h"
@@ -31,14 +32,17 @@ struct OverlayStyle {
   double neutral_m = 0.001;       // m; half width of the grey band
   double tolerance_m = 0.003;     // m; marked on the legend
   float point_size_px = 3.0F;
+  double point_spacing_m = 0;  // m; where set, near points grow so that a surface has no holes
+  double occlusion_tolerance_m = 0.010;  // m; points so little behind the design still hide it
+  bool shade_cloud = true;               // darken by depth, so that form can be read
   bool show_background = true;
   bool show_cloud = true;
-  bool show_clutter = true;       // points that are not the object: dim
+  bool show_clutter = true;  // points that are not the object: dim
   bool show_design = true;
   bool show_legend = true;
   LengthDisplay units = LengthDisplay::kMillimetre;
-  int lit_part = -1;              // drawn brighter
-  double scale = 1.0;             // of text and marks: pixels a density-independent unit
+  int lit_part = -1;   // drawn brighter
+  double scale = 1.0;  // of text and marks: pixels a density-independent unit
 };
 
 // Owns the GL side of one overlay. GL thread only; made while a context is current.
@@ -49,12 +53,14 @@ class OverlayRenderer {
   OverlayRenderer& operator=(OverlayRenderer&&) noexcept;
   ~OverlayRenderer();
 
-  // The design's triangles (m, design frame) and the part of each. A design that is a bare cloud: no triangles.
+  // The design's triangles (m, design frame) and the part of each. A design that is a bare cloud:
+  // no triangles.
   void set_design(const TriangleMesh& mesh, std::span<const std::int32_t> triangle_part);
-  // The points of one state in the design frame (m), their signed deviation (m; NaN: clutter or unknown) and
-  // class (0 clutter, 1 object, 2 contradicting). All of one length; not finite points are not drawn.
-  void set_points(std::span<const Eigen::Vector3f> points_design, std::span<const float> deviation_m,
-                  std::span<const std::uint8_t> classes);
+  // The points of one state in the design frame (m), their signed deviation (m; NaN: clutter or
+  // unknown) and class (0 clutter, 1 object, 2 contradicting). All of one length; not finite points
+  // are not drawn.
+  void set_points(std::span<const Eigen::Vector3f> points_design,
+                  std::span<const float> deviation_m, std::span<const std::uint8_t> classes);
   void set_markers(std::span<const Marker> markers);
   // Draws into the target; occlusion of the design by the points is by their depth.
   [[nodiscard]] Status draw(const Offscreen& target, const View& view, const OverlayStyle& style);

@@ -1,0 +1,33 @@
+// Pass: the design's outline and creases as lines; fainter where something stands before them.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "render/mesh_geometry.h"
+#include "render/offscreen.h"
+#include "render/shader.h"
+#include "render/view.h"
+#include "vision/core/result.h"
+
+namespace spool::render {
+
+class EdgePass {
+ public:
+  [[nodiscard]] static Result<EdgePass> create();
+  void set_edges(std::vector<MeshEdge> creases, std::vector<MeshEdge> smooth);
+  // Lines count as hidden by what is more than `tolerance_m` nearer.
+  void draw(const Offscreen& target, const View& view, int lit_part, float width_px,
+            double tolerance_m);
+
+ private:
+  ShaderProgram program_;
+  BufferHandle instances_;
+  VertexArrayHandle attributes_;
+  std::vector<MeshEdge> creases_;
+  std::vector<MeshEdge> smooth_;
+  std::vector<MeshEdge> outline_;  // scratch: of the present view
+};
+
+}  // namespace spool::render

@@ -1,0 +1,103 @@
+// The picture: live cloud coloured by deviation, clear design, legend. One state in, pixels out.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "render/overlay.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "render/background_pass.h"
+#include "render/cloud_pass.h"
+#include "render/depth_shade_pass.h"
+#include "render/edge_pass.h"
+#include "render/gl_status.h"
+#include "render/mesh_pass.h"
+
+namespace spool::render {
+
+struct OverlayRenderer::Impl {
+  BackgroundPass background;
+  CloudPass cloud;
+  DepthShadePass depth_shade;
+  MeshPass mesh;
+  EdgePass edges;
+  std::vector<Marker> markers;
+};
+
+namespace {
+
+// Makes a pass into its place; the first failure is kept in `status`.
+template <class Pass>
+void make(Pass& place, Status& status) {
+  if (!status) return;
+  auto made = Pass::create();
+  if (made) {
+    place = std::move(*made);
+  } else {
+    status = made.error();
+  }
+}
+
+}  // namespace
+
+Result<OverlayRenderer> OverlayRenderer::create() {
+  auto impl = std::make_unique<Impl>();
+  Status status;
+  make(impl->background, status);
+  make(impl->cloud, status);
+  make(impl->depth_shade, status);
+  make(impl->mesh, status);
+  make(impl->edges, status);
+  if (status) status = gl_status("preparing to draw");
+  if (!status) return status.error();
+  return OverlayRenderer(std::move(impl));
+}
+
+void OverlayRenderer::set_design(const TriangleMesh& mesh,
+                                 std::span<const std::int32_t> triangle_part) {
+  MeshGeometry geometry = prepare_mesh(mesh, triangle_part);
+  impl_->mesh.set_mesh(geometry);
+  impl_->edges.set_edges(std::move(geometry.creases), std::move(geometry.smooth));
+}
+
+void OverlayRenderer::set_points(std::span<const Eigen::Vector3f> points_design,
+                                 std::span<const float> deviation_m,
+                                 std::span<const std::uint8_t> classes) {
+  impl_->cloud.set_points(points_design, deviation_m, classes);
+}
+
+void OverlayRenderer::set_markers(std::span<const Marker> markers) {
+  impl_->markers.assign(markers.begin(), markers.end());
+}
+
+Status OverlayRenderer::draw(const Offscreen& target, const View& view, const OverlayStyle& style) {
+  assert(target.width() == view.camera.width && target.height() == view.camera.height &&
+         "the view is of the target's size");
+  const auto scale = static_cast<float>(style.scale);
+  impl_->background.draw(target, style.show_background);
+  if (style.show_cloud) {
+    impl_->cloud.draw(target, view,
+                      {.neutral_m = style.neutral_m,
+                       .range_m = style.colour_range_m,
+                       .size_px = style.point_size_px,
+                       .spacing_m = style.point_spacing_m,
+                       .show_clutter = style.show_clutter});
+    if (style.shade_cloud) {
+      impl_->depth_shade.draw(target, view, std::max(1, static_cast<int>(style.scale + 0.5)));
+    }
+  }
+  if (style.show_design) {
+    impl_->mesh.draw(target, view, style.lit_part, style.occlusion_tolerance_m);
+    impl_->edges.draw(target, view, style.lit_part, 1.5F * scale,
+                      0.5 * style.occlusion_tolerance_m);
+  }
+  return gl_status("drawing the overlay");
+}
+
+OverlayRenderer::OverlayRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+OverlayRenderer::OverlayRenderer(OverlayRenderer&&) noexcept = default;
+OverlayRenderer& OverlayRenderer::operator=(OverlayRenderer&&) noexcept = default;
+OverlayRenderer::~OverlayRenderer() = default;
+
+}  // namespace spool::render
