@@ -1,5 +1,5 @@
-// All that one written inspection needs beside its findings: the inputs by name and hash, who measured, in which units.
-// SPDX-FileCopyrightText: SpoolSight contributors
+// All that one written inspection needs beside its findings: the inputs by name and hash, who
+// measured, in which units. SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
@@ -28,11 +28,13 @@ struct InspectionRecord {
   std::shared_ptr<const PreparedDesign> design;
   Inspection inspection;
   ScanRecord scan;
-  std::string sensor;             // description of the source, or "cloud file"
+  std::string sensor;  // description of the source, or "cloud file"
   Calibration calibration;
   std::string standard = "pfi-es3";
-  std::vector<std::string> datum; // part names
-  bool feet_inches = false;       // display only
+  std::vector<std::string> datum;  // part names
+  bool feet_inches = false;        // display only
+  double noise_m = 0;   // m, typical random error of a point: the neutral band of the colours
+  std::string created;  // ISO 8601 in UTC, when the inspection was made; empty: not said
   std::vector<std::string> warnings;
 };
 

@@ -14,8 +14,8 @@
 namespace spool::evidence {
 
 struct OverlayPicture {
-  std::string file;   // "overlay_1.png"
-  std::string text;   // from where it is seen
+  std::string file;  // "overlay_1.png"
+  std::string text;  // from where it is seen
   render::Image image;
 };
 
@@ -23,15 +23,21 @@ struct OverlayPicture {
 [[nodiscard]] Result<std::vector<OverlayPicture>> draw_overlays(const InspectionRecord& record,
                                                                 int width = 1280, int height = 800);
 
+// How the statuses of this version are decided: one or two sentences for reports.
+[[nodiscard]] std::string decision_rule();
+
 // report.json as DESIGN 4.2 fixes it (schema spoolsight-report/1).
 [[nodiscard]] std::string report_json(const InspectionRecord& record);
 // One offline file with the pictures inside.
 [[nodiscard]] std::string report_html(const InspectionRecord& record,
                                       const std::vector<OverlayPicture>& pictures);
 
-// Everything into `folder`, each file whole or not at all; report.json last, so that its presence says
-// the folder is complete. kIo names the file that could not be written.
-[[nodiscard]] Status write_inspection(const std::filesystem::path& folder, const InspectionRecord& record,
+// Everything into `folder`: prepared beside it and moved into place only when all of it is there,
+// so that a failure leaves what the folder held before. report.json comes last: its presence says
+// the folder is complete. Pictures of an earlier inspection are replaced. kIo names the file that
+// could not be written.
+[[nodiscard]] Status write_inspection(const std::filesystem::path& folder,
+                                      const InspectionRecord& record,
                                       const std::vector<OverlayPicture>& pictures);
 
 }  // namespace spool::evidence

@@ -1,0 +1,164 @@
+// report.json: the inspection for scripts and shops, as DESIGN 4.2 fixes it (schema
+// spoolsight-report/1). SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier:
+// Apache-2.0
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/common/json_file.h"
+#include "app/evidence/writer.h"
+#include "vision/core/version.h"
+
+namespace spool::evidence {
+namespace {
+
+using nlohmann::json;
+
+// JSON knows no NaN and no infinity: what is no number is null, never a number that was not
+// measured.
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json matrix36(const Matrix6d& matrix) {
+  json list = json::array();
+  for (int row = 0; row < 6; ++row)
+    for (int column = 0; column < 6; ++column) list.push_back(number(matrix(row, column)));
+  return list;
+}
+
+std::string_view declutter_name(DeclutterMethod method) {
+  return method == DeclutterMethod::kKnnRatio ? "knn-ratio" : "knn-closed-form";
+}
+
+json design_json(const DesignModel& model) {
+  return {{"file", model.path},
+          {"sha256", model.sha256},
+          {"parts", model.parts.size()},
+          {"triangles", model.mesh.triangles.size()},
+          {"points", model.cloud.size()},
+          {"unit", name(model.unit)},
+          {"unit_inferred", model.unit_inferred}};
+}
+
+json scan_json(const ScanRecord& scan, std::size_t points_in) {
+  json object = {{"file", scan.file},
+                 {"sha256", scan.sha256},
+                 {"kind", scan.kind},
+                 {"points", points_in},
+                 {"points_measured", scan.points},
+                 {"unit", scan.unit},
+                 {"unit_inferred", scan.unit_inferred}};
+  if (scan.frame >= 0) {
+    object["frame"] = scan.frame;
+    object["frames_used"] = 1;
+  }
+  return object;
+}
+
+json weak_directions_json(const std::vector<WeakDirection>& directions) {
+  json list = json::array();
+  for (const auto& weak : directions) {
+    json direction = json::array();
+    for (int i = 0; i < 6; ++i) direction.push_back(number(weak.direction(i)));
+    list.push_back({{"direction", direction}, {"sigma", number(weak.sigma)}, {"text", weak.text}});
+  }
+  return list;
+}
+
+json alignment_json(const Alignment& alignment) {
+  json alternatives = json::array();
+  for (const auto& pose : alignment.alternatives)
+    alternatives.push_back({{"T_design_scan", row_major(pose)}});
+  json residuals = json::array();
+  for (const double residual : alignment.pair_residual_m) residuals.push_back(number(residual));
+  return {
+      {"method", name(alignment.method)},
+      {"found", alignment.found},
+      {"reason", alignment.reason},
+      {"T_design_scan", alignment.found ? json(row_major(alignment.T_design_scan)) : json(nullptr)},
+      {"covariance", matrix36(alignment.covariance)},
+      {"weak_directions", weak_directions_json(alignment.weak_directions)},
+      {"rms_m", number(alignment.rms_m)},
+      {"overlap", number(alignment.overlap)},
+      {"ambiguous", alignment.ambiguous},
+      {"alternatives", alternatives},
+      {"pair_residual_m", residuals},
+      {"seconds", number(alignment.seconds)}};
+}
+
+json declutter_json(const DeclutterResult& declutter) {
+  return {{"method", declutter_name(declutter.method)},
+          {"k", declutter.k},
+          {"points_in", declutter.classes.size()},
+          {"points_object", declutter.object},
+          {"points_clutter", declutter.clutter},
+          {"points_contradicting", declutter.contradicting}};
+}
+
+json part_json(const Part& part, const PartFinding& finding) {
+  const auto& deviation = finding.deviation;
+  const auto measured = [&](double value) {
+    return deviation.points > 0 ? number(value) : json(nullptr);
+  };
+  return {{"name", part.name},
+          {"kind", name(part.kind)},
+          {"status", name(finding.status)},
+          {"reason", finding.reason},
+          {"coverage", number(deviation.coverage)},
+          {"points", deviation.points},
+          {"deviation",
+           {{"mean_m", measured(deviation.mean_m)},
+            {"rms_m", measured(deviation.rms_m)},
+            {"p95_abs_m", measured(deviation.p95_abs_m)},
+            {"max_abs_m", measured(deviation.max_abs_m)}}},
+          {"size_checks", json::array()}};
+}
+
+}  // namespace
+
+std::string decision_rule() {
+  return "No dimension is compared with a tolerance. A part of which enough was seen is "
+         "suspicious, "
+         "one of which too little was seen is not_measured, and nothing is ok.";
+}
+
+std::string report_json(const InspectionRecord& record) {
+  const auto& model = record.design->model;
+  const auto& inspection = record.inspection;
+  json parts = json::array();
+  for (const auto& finding : inspection.parts)
+    parts.push_back(part_json(model.parts.at(static_cast<std::size_t>(finding.part)), finding));
+  json findings = json::array();
+  for (const auto& finding : inspection.findings)
+    findings.push_back({{"kind", finding.kind},
+                        {"part", finding.part},
+                        {"text", finding.text},
+                        {"evidence", finding.evidence}});
+  json timing = json::object();
+  for (const auto& [stage, seconds] : inspection.timing_s) timing[stage] = number(seconds);
+  json report = {
+      {"schema", "spoolsight-report/1"},
+      {"design", design_json(model)},
+      {"scan", scan_json(record.scan, inspection.scan_design.size())},
+      {"alignment", alignment_json(inspection.alignment)},
+      {"declutter", declutter_json(inspection.declutter)},
+      {"parts", parts},
+      {"dimensions", json::array()},
+      {"joints", json::array()},
+      {"findings", findings},
+      {"status", name(inspection.status)},
+      {"status_reason", inspection.status_reason},
+      {"scan_quality",
+       {{"rms_m", number(inspection.scan_rms_m)}, {"noise_m", number(record.noise_m)}}},
+      {"decision_rule", decision_rule()},
+      {"standard", record.standard},
+      {"datum", record.datum},
+      {"warnings", record.warnings},
+      {"software", {{"name", "SpoolSight"}, {"version", version()}, {"commit", commit()}}},
+      {"sensor",
+       {{"description", record.sensor}, {"calibration", calibration_to_json(record.calibration)}}},
+      {"timing_s", timing}};
+  if (!record.created.empty()) report["created"] = record.created;
+  return json_text(report);
+}
+
+}  // namespace spool::evidence

@@ -1,0 +1,121 @@
+// One scan as an inspection takes it: a cloud file, or one frame of a recording, with what the
+// report says of it. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier:
+// Apache-2.0
+#include "app/evidence/scan_snapshot.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "app/sensor/depth_source.h"
+#include "vision/core/file_digest.h"
+#include "vision/scan/back_projection.h"
+#include "vision/scan/cloud_file.h"
+#include "vision/scan/noise_estimate.h"
+#include "vision/scan/normals.h"
+
+namespace spool::evidence {
+namespace {
+
+constexpr std::chrono::seconds kFrameTimeout{5};  // a camera needs up to 2 s for its first frame
+
+Result<ScanSnapshot> read_cloud_scan(const std::filesystem::path& path,
+                                     std::optional<LengthUnit> unit) {
+  auto file = read_cloud(path, unit);
+  if (!file) return file.error();
+  ScanSnapshot scan;
+  scan.record.file = path.string();
+  scan.record.sha256 = file->sha256;
+  scan.record.kind = "cloud";
+  scan.record.points = file->finite;
+  scan.record.unit = name(file->unit);
+  scan.record.unit_inferred = file->unit_inferred;
+  scan.sensor = "cloud file";
+  scan.warnings = file->warnings;
+  scan.noise_m = estimate_noise(file->cloud);
+  scan.noise.constant_m = scan.noise_m;
+  scan.cloud = std::move(file->cloud);
+  return scan;
+}
+
+// The first frame the source gives.
+Result<std::shared_ptr<const DepthFrame>> first_frame(sensor::DepthSource& source,
+                                                      const std::string& text, std::int64_t frame) {
+  const auto end = std::chrono::steady_clock::now() + kFrameTimeout;
+  while (std::chrono::steady_clock::now() < end) {
+    auto output = source.next(std::chrono::milliseconds(200));
+    if (!output) return output.error();
+    if (output->event == sensor::SourceEvent::kFrame) return output->frame;
+    if (output->event == sensor::SourceEvent::kEnd)
+      return Error{ErrorCode::kBadInput, text + ": has no frame " + std::to_string(frame) +
+                                             "; frames count from 0, choose an earlier one"};
+  }
+  return Error{ErrorCode::kNoDevice,
+               text + ": gave no frame within five seconds; check that the sensor is plugged in"};
+}
+
+std::string digest_of(const DepthFrame& frame) {
+  const auto* bytes = reinterpret_cast<const char*>(frame.depth.data());
+  return sha256_hex({bytes, frame.depth.size() * sizeof(frame.depth[0])});
+}
+
+std::string kind_of(const std::string& text) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(text, ignored)) return "depth folder";
+  return text.ends_with(".oni") ? "oni" : "device";
+}
+
+// The middle of the measured ranges (m).
+double median_range(const PointCloud& cloud) {
+  std::vector<float> ranges;
+  for (const auto& point : cloud.points) ranges.push_back(point.z());
+  const auto middle = ranges.begin() + static_cast<std::ptrdiff_t>(ranges.size() / 2);
+  std::nth_element(ranges.begin(), middle, ranges.end());
+  return static_cast<double>(*middle);
+}
+
+Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t number) {
+  auto source = sensor::open_source(text, {.speed = 0, .first_frame = number});
+  if (!source) return source.error();
+  const auto frame = first_frame(**source, text, number);
+  if (!frame) return frame.error();
+  const Camera& camera = (*source)->camera();
+  auto organised = back_project(**frame, camera);
+  if (!organised) return Error{organised.error().code, text + ": " + organised.error().message};
+  ScanSnapshot scan;
+  estimate_organised_normals(*organised, camera, scan.noise);
+  scan.cloud = measured_points(*organised);
+  if (scan.cloud.empty())
+    return Error{ErrorCode::kBadInput, text + ": frame " + std::to_string(number) +
+                                           " measured nothing; choose another frame"};
+  scan.record.file = text;
+  scan.record.sha256 = digest_of(**frame);
+  scan.record.kind = kind_of(text);
+  scan.record.points = scan.cloud.size();
+  scan.record.frame = (*frame)->index;
+  scan.sensor = (*source)->description();
+  scan.calibration = camera.calibration;
+  scan.noise_m = scan.noise.axial_m(median_range(scan.cloud));
+  scan.single_frame = true;
+  scan.warnings.push_back("One frame of the recording is used, frame " +
+                          std::to_string((*frame)->index) + "; the others are not looked at.");
+  return scan;
+}
+
+}  // namespace
+
+Result<ScanSnapshot> read_scan(const std::string& text, std::optional<LengthUnit> unit,
+                               std::optional<std::int64_t> frame) {
+  if (is_cloud_file(text)) {
+    if (frame)
+      return Error{ErrorCode::kUsage, "--frame is for recordings; " + text + " is one cloud"};
+    return read_cloud_scan(text, unit);
+  }
+  if (unit)
+    return Error{ErrorCode::kUsage,
+                 "--scan-unit is for cloud files; " + text + " says the unit of its depth itself"};
+  return read_frame_scan(text, frame.value_or(0));
+}
+
+}  // namespace spool::evidence

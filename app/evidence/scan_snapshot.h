@@ -1,0 +1,38 @@
+// One scan as an inspection takes it: a cloud file, or one frame of a recording, with what the
+// report says of it. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier:
+// Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/evidence/inspection_record.h"
+#include "vision/core/camera.h"
+#include "vision/core/length_unit.h"
+#include "vision/core/point_cloud.h"
+#include "vision/core/result.h"
+#include "vision/scan/noise_model.h"
+
+namespace spool::evidence {
+
+struct ScanSnapshot {
+  PointCloud
+      cloud;  // m; a file's points in its order, NaN kept; a frame's measured points with normals
+  NoiseModel noise;    // of the sensor; of a cloud a constant found in the cloud itself
+  double noise_m = 0;  // m, of a typical point
+  ScanRecord record;
+  std::string sensor;
+  Calibration calibration;
+  bool single_frame = false;
+  std::vector<std::string> warnings;
+};
+
+// Reads a cloud file, or `frame` of what open_source() takes. `unit` is for cloud files only:
+// kUsage for a recording, whose camera says its own. Errors name the file or device.
+[[nodiscard]] Result<ScanSnapshot> read_scan(const std::string& text,
+                                             std::optional<LengthUnit> unit,
+                                             std::optional<std::int64_t> frame);
+
+}  // namespace spool::evidence
