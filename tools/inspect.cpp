@@ -1,0 +1,148 @@
+// spoolsight-inspect: one design, one scan, one folder with what was found.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "app/common/cli.h"
+#include "app/common/json_file.h"
+#include "app/common/length_text.h"
+#include "app/common/progress.h"
+#include "app/evidence/scan_snapshot.h"
+#include "app/evidence/writer.h"
+#include "render/egl_context.h"
+#include "tools/inspect_options.h"
+#include "vision/design/design_reader.h"
+#include "vision/inspector.h"
+
+namespace spool::tools {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+std::string now_utc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+// DESIGN 4.1: 3 outranks the statuses.
+int exit_code_of(const Inspection& inspection) {
+  if (!inspection.alignment.found || inspection.alignment.ambiguous) return 3;
+  if (inspection.status == Verdict::kNotOk) return 1;
+  return inspection.status == Verdict::kOk ? 0 : 2;
+}
+
+// Pictures, or why there are none as a warning: the numbers do not need a graphics driver.
+Result<std::vector<evidence::OverlayPicture>> pictures_of(evidence::InspectionRecord& record) {
+  const auto context = render::EglContext::surfaceless();
+  if (!context) {
+    record.warnings.push_back("There are no pictures: " + context.error().message);
+    return std::vector<evidence::OverlayPicture>{};
+  }
+  return evidence::draw_overlays(record);
+}
+
+void print_summary(const evidence::InspectionRecord& record, const std::string& out) {
+  const auto& inspection = record.inspection;
+  const auto style = record.feet_inches ? LengthStyle::kFeetInch : LengthStyle::kMillimetre;
+  std::cout << name(inspection.status) << ": " << inspection.status_reason << "\n";
+  for (const auto& finding : inspection.parts) {
+    const auto& part = record.design->model.parts.at(static_cast<std::size_t>(finding.part));
+    std::cout << "  " << part.name << ": " << name(finding.status) << ", "
+              << percent_text(finding.deviation.coverage) << " seen";
+    if (finding.deviation.points > 0)
+      std::cout << ", mean " << signed_length_text(finding.deviation.mean_m, style)
+                << ", 95 % within " << length_text(finding.deviation.p95_abs_m, style);
+    std::cout << "\n";
+  }
+  const auto& alignment = inspection.alignment;
+  if (alignment.found)
+    std::cout << "alignment: " << name(alignment.method) << ", "
+              << length_text(alignment.rms_m, style) << " RMS, " << percent_text(alignment.overlap)
+              << " of the points on the design\n";
+  std::cout << "written to " << out << ": report.html report.json points.ply overlay_*.png\n";
+}
+
+Result<int> inspect(const InspectOptions& options) {
+  const auto start = Clock::now();
+  Progress progress;
+  if (auto status = check(options); !status) return status.error();
+  auto settings = inspector_options(options);
+  if (!settings) return settings.error();
+  std::optional<Calibration> calibration;
+  if (!options.calibration.empty()) {
+    const auto read = read_calibration(options.calibration);
+    if (!read) return read.error();
+    calibration = *read;
+  }
+  // The design.
+  progress.report("design", 0);
+  auto model = read_design(options.designs.front(), parse_length_unit(options.design_unit));
+  if (!model) return model.error();
+  const auto datum = datum_parts(options.datum, *model);
+  if (!datum) return datum.error();
+  auto design = PreparedDesign::prepare(std::move(*model), options.seed);
+  if (!design) return design.error();
+  const double design_s = seconds_since(start);
+  // The scan.
+  progress.report("scan", 0);
+  const auto scan_start = Clock::now();
+  auto scan =
+      evidence::read_scan(options.scan, parse_length_unit(options.scan_unit), options.frame);
+  if (!scan) return scan.error();
+  const double scan_s = seconds_since(scan_start);
+  // The main path.
+  settings->units_confirmed = !(*design)->model.unit_inferred && !scan->record.unit_inferred;
+  settings->single_frame = scan->single_frame;
+  const Watch watch{{},
+                    [&](std::string_view stage, double share) { progress.report(stage, share); }};
+  auto inspection = Inspector(*design).process(scan->cloud, scan->noise, *settings, watch);
+  if (!inspection) return inspection.error();
+  inspection->timing_s["read_design"] = design_s;
+  inspection->timing_s["read_scan"] = scan_s;
+  // What is left behind.
+  evidence::InspectionRecord record{.design = *design,
+                                    .inspection = std::move(*inspection),
+                                    .scan = scan->record,
+                                    .sensor = scan->sensor,
+                                    .calibration = calibration.value_or(scan->calibration),
+                                    .standard = options.standard,
+                                    .datum = *datum,
+                                    .feet_inches = options.units == "ft-in",
+                                    .noise_m = scan->noise_m,
+                                    .created = now_utc(),
+                                    .warnings = (*design)->model.warnings};
+  record.warnings.insert(record.warnings.end(), scan->warnings.begin(), scan->warnings.end());
+  progress.report("pictures", 0);
+  const auto pictures = pictures_of(record);
+  if (!pictures) return pictures.error();
+  progress.report("writing", 0);
+  if (auto status = evidence::write_inspection(options.out, record, *pictures); !status)
+    return status.error();
+  print_summary(record, options.out);
+  return exit_code_of(record.inspection);
+}
+
+}  // namespace
+}  // namespace spool::tools
+
+int main(int argc, char** argv) {
+  CLI::App app{"Compares a scan of a pipe spool with its design and writes a report."};
+  spool::tools::InspectOptions options;
+  spool::add_common_options(app, "spoolsight-inspect");
+  spool::tools::add_inspect_options(app, options);
+  return spool::run_program(app, argc, argv, [&] { return spool::tools::inspect(options); });
+}

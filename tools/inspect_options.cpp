@@ -1,0 +1,150 @@
+// The command line of spoolsight-inspect and what follows from it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/inspect_options.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "app/common/json_file.h"
+
+namespace spool::tools {
+namespace {
+
+Error usage(std::string sentence) { return {ErrorCode::kUsage, std::move(sentence)}; }
+
+std::string method_text(const InspectOptions& options) {
+  if (!options.align.empty()) return options.align;
+  if (!options.pose.empty()) return "pose";
+  return options.pairs.empty() ? "principal-axes" : "three-point";
+}
+
+bool is_known_standard(const std::string& standard) {
+  return standard == "pfi-es3" || standard == "iso-13920-BF";
+}
+
+}  // namespace
+
+void add_inspect_options(CLI::App& app, InspectOptions& options) {
+  app.add_option("--design", options.designs, "Design: .glb .gltf .stl .obj .ply .pcd .xyz .txt")
+      ->required()
+      ->type_name("FILE");
+  app.add_option("--scan", options.scan,
+                 "Scan: a cloud (.ply .pcd .xyz .txt .obj), a depth folder or an .oni recording")
+      ->required()
+      ->type_name("PATH");
+  app.add_option("--frame", options.frame,
+                 "Frame of a recording to use, counted from 0; the first if not given")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+  app.add_option(
+         "--align", options.align,
+         "three-point, pose or principal-axes; by default pose if --pose is given, three-point if "
+         "--pairs is, else principal-axes")
+      ->check(CLI::IsMember({"find", "three-point", "pose", "principal-axes"}))
+      ->type_name("METHOD");
+  app.add_option(
+         "--pairs", options.pairs,
+         "Picked pairs: {\"pairs\": [{\"design\": [x,y,z], \"scan\": [x,y,z]}, ...]} in metres")
+      ->type_name("FILE");
+  app.add_option("--pose", options.pose,
+                 "Pose taken as given: {\"T_design_scan\": [16 numbers, row-major]} in metres")
+      ->type_name("FILE");
+  app.add_option("--datum", options.datum,
+                 "Parts that the report names as datum; the design's own if not given")
+      ->type_name("PART[,PART]");
+  app.add_option("--standard", options.standard,
+                 "Tolerance rules that the report names: pfi-es3, iso-13920-BF or a file")
+      ->capture_default_str()
+      ->type_name("NAME|FILE");
+  app.add_option("--design-unit", options.design_unit, "Unit of the design's file: m, mm or in")
+      ->check(CLI::IsMember({"m", "mm", "in"}))
+      ->type_name("UNIT");
+  app.add_option("--scan-unit", options.scan_unit, "Unit of a cloud file: m, mm or in")
+      ->check(CLI::IsMember({"m", "mm", "in"}))
+      ->type_name("UNIT");
+  app.add_option("--units", options.units, "Units on the page for people: mm or ft-in")
+      ->check(CLI::IsMember({"mm", "ft-in"}))
+      ->capture_default_str()
+      ->type_name("UNITS");
+  app.add_option("--calibration", options.calibration, "Calibration of the depth camera")
+      ->type_name("FILE");
+  app.add_option("--seed", options.seed, "Seed of the design's sampling")
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_option("--out", options.out,
+                 "Folder for report.json, report.html, points.ply, overlay_*.png")
+      ->required()
+      ->type_name("DIR");
+  app.footer(
+      "Exit code: 0 all ok, 1 something not ok, 2 something suspicious or not measured, 3 not "
+      "found or "
+      "ambiguous;\n64 usage, 65 bad input, 69 no device, 70 internal, 74 read or write failed.");
+}
+
+Status check(const InspectOptions& options) {
+  if (options.designs.size() != 1)
+    return usage("--design is given " + std::to_string(options.designs.size()) +
+                 " times; one design is inspected at a time, run once for each");
+  if (options.align == "find")
+    return usage("--align find is not there yet; use --pairs, --pose or --align principal-axes");
+  if (!options.pairs.empty() && !options.pose.empty())
+    return usage("--pairs and --pose contradict each other; give one of them");
+  const std::string method = method_text(options);
+  if (method == "pose" && options.pose.empty()) return usage("--align pose needs --pose FILE");
+  if (method == "three-point" && options.pairs.empty())
+    return usage("--align three-point needs --pairs FILE");
+  if (method != "pose" && !options.pose.empty())
+    return usage("--pose is for --align pose, not for --align " + method);
+  if (method != "three-point" && !options.pairs.empty())
+    return usage("--pairs is for --align three-point, not for --align " + method);
+  std::error_code ignored;
+  if (!is_known_standard(options.standard) &&
+      !std::filesystem::is_regular_file(options.standard, ignored))
+    return Error{
+        ErrorCode::kBadInput,
+        options.standard +
+            ": is no standard that is known and no file; use pfi-es3, iso-13920-BF or a file"};
+  return {};
+}
+
+Result<InspectorOptions> inspector_options(const InspectOptions& options) {
+  InspectorOptions inspector;
+  inspector.align = parse_align_method(method_text(options)).value();
+  inspector.seed = options.seed;
+  if (!options.pairs.empty()) {
+    auto pairs = read_pairs(options.pairs);
+    if (!pairs) return pairs.error();
+    inspector.pairs = std::move(*pairs);
+  }
+  if (!options.pose.empty()) {
+    const auto pose = read_pose(options.pose);
+    if (!pose) return pose.error();
+    inspector.T_design_scan = *pose;
+  }
+  return inspector;
+}
+
+Result<std::vector<std::string>> datum_parts(const std::string& flag, const DesignModel& model) {
+  std::vector<std::string> names;
+  if (flag.empty()) {
+    for (const int part : model.datums)
+      names.push_back(model.parts.at(static_cast<std::size_t>(part)).name);
+    return names;
+  }
+  std::istringstream list(flag);
+  for (std::string name; std::getline(list, name, ',');) {
+    const auto is_it = [&](const Part& part) { return part.name == name; };
+    if (std::none_of(model.parts.begin(), model.parts.end(), is_it)) {
+      std::string known;
+      for (const auto& part : model.parts) known += (known.empty() ? "" : ", ") + part.name;
+      return usage("--datum " + name + ": is no part of " + model.path + "; its parts are " +
+                   known);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace spool::tools
