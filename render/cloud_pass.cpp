@@ -16,12 +16,13 @@
 namespace spool::render {
 namespace {
 
-enum Group : std::size_t { kClutter, kObject, kContradicting, kNotDrawn };
+enum Group : std::size_t { kClutter, kUnknown, kObject, kContradicting, kNotDrawn };
 
 Group group_of(const Eigen::Vector3f& point, float deviation_m, std::uint8_t point_class) {
   if (!point.allFinite()) return kNotDrawn;
   if (point_class == 2) return kContradicting;
-  return point_class == 1 && std::isfinite(deviation_m) ? kObject : kClutter;
+  if (point_class != 1) return kClutter;
+  return std::isfinite(deviation_m) ? kObject : kUnknown;
 }
 
 }  // namespace
@@ -51,12 +52,15 @@ void CloudPass::set_points(std::span<const Eigen::Vector3f> points_design,
                            std::span<const std::uint8_t> classes) {
   assert(points_design.size() == deviation_m.size() && points_design.size() == classes.size() &&
          "a deviation and a class for every point");
-  std::array<std::size_t, 4> count{};
+  std::array<std::size_t, 5> count{};
   for (std::size_t i = 0; i < points_design.size(); ++i) {
     ++count[group_of(points_design[i], deviation_m[i], classes[i])];
   }
-  std::array<std::size_t, 3> next{0, count[kClutter], count[kClutter] + count[kObject]};
-  std::vector<Eigen::Vector4f> vertices(count[kClutter] + count[kObject] + count[kContradicting]);
+  std::array<std::size_t, 4> next{};
+  for (std::size_t group = 1; group < next.size(); ++group) {
+    next[group] = next[group - 1] + count[group - 1];
+  }
+  std::vector<Eigen::Vector4f> vertices(points_design.size() - count[kNotDrawn]);
   for (std::size_t i = 0; i < points_design.size(); ++i) {
     const Group group = group_of(points_design[i], deviation_m[i], classes[i]);
     if (group == kNotDrawn) continue;
@@ -64,9 +68,9 @@ void CloudPass::set_points(std::span<const Eigen::Vector3f> points_design,
     const float deviation = group == kObject ? deviation_m[i] : 0.0F;
     vertices[next[group]++] << points_design[i], deviation;
   }
-  clutter_count_ = static_cast<GLsizei>(count[kClutter]);
-  object_count_ = static_cast<GLsizei>(count[kObject]);
-  contradicting_count_ = static_cast<GLsizei>(count[kContradicting]);
+  for (std::size_t group = 0; group < count_.size(); ++group) {
+    count_[group] = static_cast<GLsizei>(count[group]);
+  }
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Eigen::Vector4f)),
                vertices.data(), GL_STREAM_DRAW);
@@ -86,23 +90,26 @@ void CloudPass::draw(const Offscreen& target, const View& view, const CloudStyle
   points_.set("u_outside_stops", outside_stops());
   points_.set("u_neutral_m", static_cast<float>(style.neutral_m));
   points_.set("u_range_m", static_cast<float>(style.range_m));
+  GLint first = 0;
+  const auto draw_next = [&first](GLsizei count, bool shown) {
+    if (shown && count > 0) glDrawArrays(GL_POINTS, first, count);
+    first += count;
+  };
+  points_.set("u_use_deviation", 0.0F);
   points_.set("u_colour", clutter_colour());
-  if (style.show_clutter && clutter_count_ > 0) {
-    points_.set("u_use_deviation", 0.0F);
-    glDrawArrays(GL_POINTS, 0, clutter_count_);
-  }
-  if (object_count_ > 0) {
-    points_.set("u_use_deviation", 1.0F);
-    glDrawArrays(GL_POINTS, clutter_count_, object_count_);
-  }
-  if (contradicting_count_ > 0) {
+  draw_next(count_[kClutter], style.show_clutter);
+  points_.set("u_colour", unknown_colour());
+  draw_next(count_[kUnknown], true);
+  points_.set("u_use_deviation", 1.0F);
+  draw_next(count_[kObject], true);
+  if (count_[kContradicting] > 0) {
     contradicting_.use();
     contradicting_.set("u_clip_from_design", clip_from_design);
     contradicting_.set("u_size_px", std::min(std::max(1.5F * style.size_px, 5.0F), largest_px_));
     contradicting_.set("u_colour", contradicting_colour());
     contradicting_.set("u_hatch", Eigen::Vector3f(0.20F, 0.0F, 0.17F));
     contradicting_.set("u_hatch_px", 3.0F * style.size_px);
-    glDrawArrays(GL_POINTS, clutter_count_ + object_count_, contradicting_count_);
+    draw_next(count_[kContradicting], true);
   }
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -30,6 +31,8 @@ class CloudPass {
   // As OverlayRenderer::set_points.
   void set_points(std::span<const Eigen::Vector3f> points_design,
                   std::span<const float> deviation_m, std::span<const std::uint8_t> classes);
+  [[nodiscard]] bool has_clutter() const { return count_[0] > 0; }
+  [[nodiscard]] bool has_contradicting() const { return count_[3] > 0; }
   // Colour and depth of the points.
   void draw(const Offscreen& target, const View& view, const CloudStyle& style) const;
 
@@ -38,9 +41,9 @@ class CloudPass {
   ShaderProgram contradicting_;
   BufferHandle buffer_;
   VertexArrayHandle attributes_;
-  GLsizei clutter_count_ = 0;  // the buffer holds clutter, then the object, then what contradicts
-  GLsizei object_count_ = 0;
-  GLsizei contradicting_count_ = 0;
+  // The buffer holds clutter, points of unknown deviation, the object, and what contradicts the
+  // design.
+  std::array<GLsizei, 4> count_{};
   float largest_px_ = 1;  // what the driver draws
 };
 

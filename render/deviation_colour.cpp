@@ -45,6 +45,7 @@ Eigen::Vector3f deviation_colour(double deviation_m, double neutral_m, double ra
 }
 
 Eigen::Vector3f clutter_colour() { return {0.33F, 0.35F, 0.38F}; }
+Eigen::Vector3f unknown_colour() { return {0.58F, 0.61F, 0.65F}; }
 Eigen::Vector3f contradicting_colour() { return {1.0F, 0.30F, 0.90F}; }
 
 }  // namespace spool::render

@@ -21,7 +21,8 @@ using DeviationStops = std::array<Eigen::Vector3f, kDeviationStops>;
                                                double range_m);
 
 // Colours that mean something else than a deviation; sRGB in 0..1.
-[[nodiscard]] Eigen::Vector3f clutter_colour();        // not of the object, or of unknown deviation
+[[nodiscard]] Eigen::Vector3f clutter_colour();        // not of the object
+[[nodiscard]] Eigen::Vector3f unknown_colour();        // of the object, deviation not known
 [[nodiscard]] Eigen::Vector3f contradicting_colour();  // contradicts the design
 
 }  // namespace spool::render

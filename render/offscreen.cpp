@@ -93,6 +93,16 @@ Image Offscreen::read() const {
   return image;
 }
 
+void Offscreen::copy_to(const Offscreen& other, int x, int y) const {
+  assert(framebuffer_ && other.framebuffer_ && this != &other && "two targets that were created");
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, other.framebuffer_.id());
+  glDisable(GL_SCISSOR_TEST);  // a blit is scissored too
+  const int bottom = other.height_ - y - height_;
+  glBlitFramebuffer(0, 0, width_, height_, x, bottom, x + width_, bottom + height_,
+                    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void Offscreen::show(int width, int height) const {
   assert(framebuffer_ && "show() of a target that was created");
   glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());

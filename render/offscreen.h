@@ -23,6 +23,9 @@ class Offscreen {
   void bind_colour() const;  // the same without depth, which can then be read as depth_texture()
   [[nodiscard]] GLuint depth_texture() const { return depth_.id(); }
   [[nodiscard]] Image read() const;
+  // Copies its colours into a part of another target, top left corner at (x, y) px; what lies
+  // outside is left out.
+  void copy_to(const Offscreen& other, int x, int y) const;
   void show(int width, int height) const;  // copies it to the window's framebuffer (0) of that size
 
  private:
