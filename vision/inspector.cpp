@@ -58,7 +58,8 @@ Result<std::shared_ptr<const PreparedDesign>> PreparedDesign::prepare(DesignMode
   Result<DesignSurface> surface = DesignSurface::build(prepared->exterior);
   if (!surface) return surface.error();
   prepared->surface = std::make_unique<DesignSurface>(std::move(*surface));
-  prepared->samples = sample_surface(prepared->exterior, kModelSamples, seed);
+  prepared->samples = seen_samples(sample_surface(prepared->exterior, kModelSamples, seed),
+                                   prepared->model, *whole);
   return std::shared_ptr<const PreparedDesign>(std::move(prepared));
 }
 

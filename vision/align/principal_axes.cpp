@@ -79,6 +79,7 @@ std::vector<Eigen::Matrix3d> proper_permutations() {
 // as it.
 double trimmed_error(const CloudView& scan, const std::vector<std::uint32_t>& chosen,
                      const DesignSurface& surface, const Pose& T, double bound) {
+  if (chosen.empty()) return bound;
   std::vector<double> distances(chosen.size(), bound);
   const Eigen::Isometry3f T_f = T.cast<float>();
   parallel_chunks(chosen.size(), 512, [&](std::size_t begin, std::size_t end) {
@@ -189,6 +190,7 @@ PrincipalAxesResult align_principal_axes(const CloudView& scan, const CloudView&
   std::stable_sort(candidates.begin(), candidates.end(), better);
   if (candidates.empty()) return result;
   result.best = candidates.front().icp;
+  if (result.best.correspondences == 0) return result;
   result.best.converged = result.best.converged && !watch.cancelled();
 
   // Ends as well: the mean distances differ by less than a tenth, or than a tenth of the noise.

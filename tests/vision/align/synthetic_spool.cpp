@@ -137,10 +137,11 @@ Eigen::Isometry3d random_motion(double translation_m, double rotation_rad, std::
 
 double displacement_at(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& a,
                        const Eigen::Isometry3d& b) {
+  const Eigen::Isometry3d between = a * b.inverse();
   double worst = 0;
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d p = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
-    worst = std::max(worst, (a * p - b * p).norm());
+    worst = std::max(worst, (between * p - p).norm());
   }
   return worst;
 }

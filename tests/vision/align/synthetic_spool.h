@@ -50,7 +50,8 @@ struct ScanOptions {
 [[nodiscard]] Eigen::Isometry3d random_motion(double translation_m, double rotation_rad,
                                               std::mt19937& random);
 
-// The largest displacement (m) between two poses over the corners of the design's box.
+// The largest displacement (m) between two poses (design from scan) over the corners of the
+// design's box.
 [[nodiscard]] double displacement_at(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& a,
                                      const Eigen::Isometry3d& b);
 
