@@ -93,8 +93,8 @@ TEST(DesignSurface, AgreesWithTheTorusFormulaWithinItsFacets) {
   const int across = 64;
   const DesignModel design = torus_design(R, r, around, across);
   const DesignSurface surface = built(design);
-  // Facets leave the round by the sagitta of their chords, radius (1 - cos(pi / n)): inwards where it is
-  // a dome, outwards along the ring's inner side.
+  // Facets leave the round by the sagitta of their chords, radius (1 - cos(pi / n)): inwards where
+  // it is a dome, outwards along the ring's inner side.
   const double sagitta = (R + r) * (1 - std::cos(std::numbers::pi / around)) +
                          r * (1 - std::cos(std::numbers::pi / across));
   std::mt19937 random(3);
