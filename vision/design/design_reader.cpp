@@ -25,11 +25,15 @@ struct Reader {
 };
 
 // A new format is one file and one line here.
-constexpr std::array<Reader, 4> kReaders{{
+constexpr std::array<Reader, 8> kReaders{{
     {".glb", &read_gltf_design},
     {".gltf", &read_gltf_design},
     {".stl", &read_mesh_design},
     {".obj", &read_mesh_design},
+    {".ply", &read_ply_design},
+    {".pcd", &read_cloud_design},
+    {".xyz", &read_cloud_design},
+    {".txt", &read_cloud_design},
 }};
 
 constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1}
