@@ -45,9 +45,11 @@ Result<DesignModel> read_ply_design(const DesignFile& file) {
   if (!header) return header.error();
   bool has_faces = false;
   for (const PlyElement& element : header->elements) {
-    // No element takes less than a byte: a count beyond that must not be given memory by any reader.
+    // No element takes less than a byte: a count beyond that must not be given memory by any
+    // reader.
     if (element.count > header->body.size() && !element.properties.empty()) {
-      return Error{ErrorCode::kBadInput, file.path.string() + " is cut short: its header promises " +
+      return Error{ErrorCode::kBadInput, file.path.string() +
+                                             " is cut short: its header promises " +
                                              std::to_string(element.count) + " " + element.name +
                                              " elements; export it again"};
     }
