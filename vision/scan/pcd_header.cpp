@@ -45,8 +45,7 @@ struct Lines {
     if (key == "WIDTH") return &width;
     if (key == "HEIGHT") return &height;
     if (key == "POINTS") return &points;
-    if (key == "VIEWPOINT")
-      return &viewpoint;  // where it was seen from: its points stand as they are
+    if (key == "VIEWPOINT") return &viewpoint;  // not applied: the points stand as they are
     if (key == "DATA") return &data;
     return nullptr;
   }
