@@ -1,0 +1,52 @@
+// What vision saw in one frame: what is shown together belongs to one of these.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vision/core/depth_frame.h"
+#include "vision/core/point_cloud.h"
+#include "vision/core/pose.h"
+#include "vision/inspect/deviation.h"
+
+namespace spool {
+
+enum class TrackQuality { kUnaligned, kGood, kPoor, kLost };
+// As poses.csv spells it: good, poor or lost (a frame before the alignment has no pose: lost).
+[[nodiscard]] std::string_view name(TrackQuality quality);
+
+// Immutable once published; shared between threads by shared_ptr<const VisionState>.
+struct VisionState {
+  std::uint64_t revision = 0;   // counts published states
+  std::uint64_t alignment = 0;  // counts alignments asked for and answered up to this state
+  std::shared_ptr<const DepthFrame> frame;
+  PointCloud scan;  // the frame thinned: measured points with normals, camera frame (m)
+  TrackQuality quality = TrackQuality::kUnaligned;
+  std::string hint;  // what to do where quality is not good; one sentence
+  // Design coordinates without the design's origin. Of a lost frame: the last pose that was
+  // believed.
+  Pose T_design_camera = Pose::Identity();
+  // The rest is empty unless quality is good or poor. One entry a point of `scan`.
+  PointCloud scan_design;
+  std::vector<PointClass> classes;
+  Deviations deviations;
+  std::vector<PartDeviation> parts;  // in the design's order
+  double rms_m = 0;          // of the tracked correspondences: scan quality, never a verdict
+  double agreement = 0;      // of the surface that should be seen, the share that is (0 to 1)
+  double point_noise_m = 0;  // the sensor's own standard deviation at the spool's distance
+  std::map<std::string, double> timing_s;
+
+  [[nodiscard]] bool is_tracked() const {
+    return quality == TrackQuality::kGood || quality == TrackQuality::kPoor;
+  }
+};
+
+using VisionStatePtr = std::shared_ptr<const VisionState>;
+
+}  // namespace spool

@@ -1,0 +1,104 @@
+// The Align screen: three chips, the hint, undo and done.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <cstdio>
+
+#include "app/ui/panels.h"
+
+namespace spool::ui {
+
+namespace {
+
+// A numbered disc and, once three picks stand, how far the pick is off.
+float draw_chip(ImDrawList& list, const Theme& theme, const PairChip& chip, int number, ImVec2 at) {
+  const auto dp = static_cast<float>(theme.dp);
+  const float radius = 17 * dp;
+  const ImVec2 centre(at.x + radius, at.y);
+  const ImU32 tint = chip.set ? kOkColour : (chip.current ? kGhostColour : kNotMeasuredColour);
+  if (chip.set) {
+    list.AddCircleFilled(centre, radius, tint, 24);
+  } else {
+    list.AddCircle(centre, radius, tint, 24, (chip.current ? 3.0F : 1.5F) * dp);
+  }
+  char text[32];
+  std::snprintf(text, sizeof text, "%d", number);
+  const ImVec2 size = theme.body->CalcTextSizeA(theme.body->FontSize, 1e6F, 0, text);
+  list.AddText(theme.body, theme.body->FontSize,
+               {centre.x - 0.5F * size.x, centre.y - 0.5F * size.y},
+               chip.set ? IM_COL32(0x10, 0x14, 0x18, 255) : kTextColour, text);
+  float width = 2 * radius + 8 * dp;
+  if (chip.residual_mm) {
+    std::snprintf(text, sizeof text, "%.1f mm", *chip.residual_mm);
+    const ImVec2 wide = theme.body->CalcTextSizeA(theme.body->FontSize, 1e6F, 0, text);
+    list.AddText(theme.body, theme.body->FontSize, {at.x + width, centre.y - 0.5F * wide.y},
+                 kTextColour, text);
+    width += wide.x;
+  }
+  return width + 14 * dp;
+}
+
+void draw_label(const Painter& painter, const Rect& view, const char* text) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto dp = static_cast<float>(painter.theme.dp);
+  ImFont* font = painter.theme.body;
+  const ImVec2 at(static_cast<float>(view.x) + 14 * dp, static_cast<float>(view.y) + 10 * dp);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e6F, 0, text);
+  list.AddRectFilled({at.x - 8 * dp, at.y - 4 * dp},
+                     {at.x + size.x + 8 * dp, at.y + size.y + 4 * dp}, kPanelColour, 6 * dp);
+  list.AddText(font, font->FontSize, at, kTextColour, text);
+}
+
+}  // namespace
+
+void draw_align(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
+  const Layout& layout = painter.layout;
+  const auto dp = static_cast<float>(painter.theme.dp);
+  draw_label(painter, layout.design_view, "Drawing");
+  draw_label(painter, layout.scan_view, "Camera");
+  // A line between the two pictures.
+  ImDrawList& back = *ImGui::GetBackgroundDrawList();
+  const Rect& scan = layout.scan_view;
+  const ImVec2 corner(static_cast<float>(scan.x), static_cast<float>(scan.y));
+  const ImVec2 end = layout.portrait ? ImVec2(static_cast<float>(scan.x + scan.width), corner.y)
+                                     : ImVec2(corner.x, static_cast<float>(scan.y + scan.height));
+  back.AddLine(corner, end, IM_COL32(255, 255, 255, 90), 2 * dp);
+
+  begin_panel(painter, "card", layout.card);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  at.y += 18 * dp;
+  for (std::size_t i = 0; i < state.chips.size(); ++i) {
+    at.x += draw_chip(list, painter.theme, state.chips[i], static_cast<int>(i) + 1, at);
+  }
+  ImGui::Dummy({1, 38 * dp});
+  ImGui::PushFont(painter.theme.body);
+  ImGui::PushStyleColor(ImGuiCol_Text, state.hint_is_warning ? kSuspiciousColour : kTextColour);
+  ImGui::TextWrapped("%s", state.hint.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  if (!state.proposed.empty()) {
+    ImGui::PushFont(painter.theme.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, kDimTextColour);
+    ImGui::TextWrapped("%s", state.proposed.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+  }
+  ImGui::End();
+
+  if (state.can_finish &&
+      big_button(painter, "Done", layout.actions[0], {}, ButtonLook::kPrimary)) {
+    commands.push_back({Action::kFinish});
+  }
+  if (state.can_undo && big_button(painter, "Undo", layout.actions[1])) {
+    commands.push_back({Action::kUndo});
+  }
+  if (state.can_go_back && big_button(painter, "Back", layout.actions[2])) {
+    commands.push_back({Action::kBack});
+  }
+  if (big_button(painter, "Shot", layout.actions[3])) commands.push_back({Action::kShot});
+  if (state.can_replay && big_button(painter, "Replay", layout.actions[4])) {
+    commands.push_back({Action::kReplay});
+  }
+}
+
+}  // namespace spool::ui

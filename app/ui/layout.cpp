@@ -1,0 +1,66 @@
+// Where things stand on a screen of any size.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ui/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spool::ui {
+
+namespace {
+constexpr double kLeastDotsPerInch = 160;
+constexpr double kMarginDp = 8;
+constexpr double kStripDp = 52;
+constexpr double kCardDp = 132;
+constexpr double kCardWidthDp = 640;
+constexpr double kActionWidthDp = 96;
+}  // namespace
+
+double pixels_per_dp(double dots_per_inch) {
+  return std::max(dots_per_inch, kLeastDotsPerInch) / kLeastDotsPerInch;
+}
+
+Layout lay_out(double width_px, double height_px, double dp) {
+  Layout out;
+  const double margin = kMarginDp * dp;
+  const double target = kTargetDp * dp;
+  out.portrait = height_px > width_px;
+  out.strip = {0, 0, width_px, kStripDp * dp};
+  out.work_view = {0, 0, width_px, height_px};
+  const double top = out.strip.height;
+  if (out.portrait) {
+    const double step = (width_px - margin) / kActions;
+    const double y = height_px - target - margin;
+    for (int i = 0; i < kActions; ++i) {
+      out.actions[i] = {margin + i * step, y, step - margin, target};
+    }
+    out.card = {margin, y - margin - kCardDp * dp, width_px - 2 * margin, kCardDp * dp};
+    const double half = std::floor(0.5 * (out.card.y - margin - top));
+    out.design_view = {0, top, width_px, half};
+    out.scan_view = {0, top + half, width_px, half};
+    return out;
+  }
+  const double width = std::max(kActionWidthDp * dp, target);
+  const double x = width_px - width - margin;
+  out.strip.width = x - margin;
+  // The column has the whole height of the edge where the thumb is; it closes up before targets
+  // shrink.
+  const double room = height_px - 2 * margin;
+  const double gap = std::clamp((room - kActions * target) / kActions, 2.0 * dp, margin);
+  const double height = std::min(96 * dp, std::max(target, room / kActions - gap));
+  const double column = kActions * (height + gap) - gap;
+  const double first = margin + std::max(0.0, 0.5 * (room - column));
+  for (int i = 0; i < kActions; ++i) {
+    out.actions[i] = {x, first + i * (height + gap), width, height};
+  }
+  const double card_width = std::min(kCardWidthDp * dp, x - 2 * margin);
+  out.card = {margin, height_px - margin - kCardDp * dp, card_width, kCardDp * dp};
+  const double half = std::floor(0.5 * (x - margin));
+  const double view_height = out.card.y - margin - top;
+  out.design_view = {0, top, half, view_height};
+  out.scan_view = {half, top, half, view_height};
+  return out;
+}
+
+}  // namespace spool::ui

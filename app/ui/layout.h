@@ -1,0 +1,40 @@
+// Where things stand on a screen of any size: the steel, the actions, the strip, the card.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "app/ui/screen_state.h"
+
+namespace spool::ui {
+
+// Pixels from the window's top left corner.
+struct Rect {
+  double x = 0, y = 0, width = 0, height = 0;
+  [[nodiscard]] bool contains(double px, double py) const {
+    return px >= x && py >= y && px < x + width && py < y + height;
+  }
+};
+
+inline constexpr double kTargetDp = 76;  // the least side of a thing to tap: 12 mm
+inline constexpr double kBodySp = 16;
+inline constexpr double kSmallSp = 14;
+inline constexpr double kNumberSp = 30;
+inline constexpr int kActions = 5;
+
+// Pixels of one density-independent unit (1/160 inch). Under 160 dots an inch text would get too
+// few pixels to be read, so a unit is never less than one pixel.
+[[nodiscard]] double pixels_per_dp(double dots_per_inch);
+
+struct Layout {
+  bool portrait = false;
+  Rect strip;              // words along the top
+  Rect actions[kActions];  // where the thumb is: right edge, or the bottom in portrait
+  Rect card;               // the readout, bottom left; on Align the chips and the hint
+  Rect work_view;          // the steel: everything
+  Rect design_view;        // Align: side by side, above each other in portrait
+  Rect scan_view;
+};
+
+[[nodiscard]] Layout lay_out(double width_px, double height_px, double dp);
+
+}  // namespace spool::ui

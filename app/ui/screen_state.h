@@ -1,0 +1,89 @@
+// What the panels read: words and numbers ready to be shown, all of one state.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace spool::ui {
+
+enum class Screen { kAlign, kWork };
+
+// A status has its own outline and word; colour comes third (SCREEN.md).
+enum class StatusMark { kOk, kSuspicious, kNotOk, kNotMeasured };
+
+// How well the camera's place is known.
+enum class TrackingMark { kNone, kGood, kPoor, kLost };
+
+// One pick of the alignment.
+struct PairChip {
+  bool set = false;
+  bool current = false;               // the one that the next tap makes
+  std::optional<double> residual_mm;  // after three
+};
+
+// One line of the list of parts, worst first.
+struct PartLine {
+  int part = -1;
+  std::string name;
+  StatusMark status = StatusMark::kNotMeasured;
+  double mean_mm = 0;  // + outside the design's surface
+  double p95_mm = 0;
+  double coverage = 0;  // 0 to 1, of the part's surface
+};
+
+struct ScreenState {
+  Screen screen = Screen::kAlign;
+  std::string title;   // the spool
+  std::string source;  // one line: camera or recording
+  bool source_is_well = true;
+  TrackingMark tracking = TrackingMark::kNone;
+  std::string hint;  // what to do next: never empty
+  bool hint_is_warning = false;
+  std::string notice;  // what just happened ("Saved screen_001.png"); empty: nothing
+
+  // Align
+  std::vector<PairChip> chips;
+  std::string proposed;  // the design point that is lit, in words
+  bool can_undo = false;
+  bool can_finish = false;   // three picks that make a pose
+  bool can_go_back = false;  // an alignment stands already
+
+  // Work
+  bool aligned = false;
+  bool measured = false;        // numbers below belong to the picture
+  std::vector<PartLine> parts;  // worst first
+  int lit_part = -1;
+  double point_noise_mm = 0;  // one standard deviation of a point here
+  StatusMark overall = StatusMark::kNotMeasured;
+  std::string overall_reason;
+  bool checked = false;     // `overall` is from a check of this very frame
+  bool checking = false;    // one is on its way
+  bool detached = false;    // the view is not the camera's
+  bool can_replay = false;  // a recording came to its end
+  std::string view_word;    // what View shows now: "both", "scan", "design"
+  bool list_open = false;
+};
+
+enum class Action {
+  kAlign,
+  kCheck,
+  kShot,
+  kView,
+  kCameraView,
+  kReplay,
+  kUndo,
+  kFinish,
+  kBack,
+  kToggleList,
+  kLightPart
+};
+
+struct Command {
+  Action action = Action::kShot;
+  int part = -1;  // of kLightPart
+};
+
+}  // namespace spool::ui

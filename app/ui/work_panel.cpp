@@ -1,0 +1,176 @@
+// The Work screen: the number that decides, the parts worst first, five actions.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "app/ui/panels.h"
+
+namespace spool::ui {
+
+namespace {
+
+// A true minus sign is as wide as a plus: numbers do not jump when their sign changes.
+std::string signed_mm(double mm) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", std::abs(mm));
+  const bool zero = std::string(text) == "0.0";
+  return (zero ? "" : (mm < 0 ? "−" : "+")) + std::string(text);
+}
+
+const char* direction(double mm) { return mm < 0 ? "inside" : "outside"; }
+
+std::string numbers_of(const PartLine& line) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%s mm   95 %% within %.1f   %.0f %% seen",
+                signed_mm(line.mean_mm).c_str(), line.p95_mm, 100 * line.coverage);
+  return text;
+}
+
+void draw_deciding(const ScreenState& state, const Painter& painter, float width) {
+  const auto dp = static_cast<float>(painter.theme.dp);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  if (!state.measured || state.parts.empty()) {
+    ImGui::PushFont(painter.theme.body);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextColored(
+        ImGui::ColorConvertU32ToFloat4(state.hint_is_warning ? kSuspiciousColour : kTextColour),
+        "%s", state.hint.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    return;
+  }
+  const PartLine& worst = state.parts.front();
+  draw_mark(list, worst.status, {at.x + 16 * dp, at.y + 20 * dp}, 15 * dp);
+  ImGui::SetCursorScreenPos({at.x + 42 * dp, at.y});
+  ImGui::PushFont(painter.theme.number);
+  ImGui::Text("%s mm", signed_mm(worst.mean_mm).c_str());
+  ImGui::PopFont();
+  ImGui::PushFont(painter.theme.body);
+  ImGui::TextUnformatted(
+      fitted(worst.name + ": " + direction(worst.mean_mm) + " the drawing", width).c_str());
+  ImGui::PopFont();
+  ImGui::PushFont(painter.theme.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, kDimTextColour);
+  char text[128];
+  std::snprintf(text, sizeof text, "%s · point noise %.1f mm", word(worst.status),
+                state.point_noise_mm);
+  ImGui::TextUnformatted(fitted(text, width).c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void draw_rows(const ScreenState& state, const Painter& painter, ImVec2 at, float width, int rows) {
+  const auto dp = static_cast<float>(painter.theme.dp);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImFont* font = painter.theme.small;
+  const float step = font->FontSize + 12 * dp;
+  ImGui::PushFont(font);
+  for (int i = 0; i < rows && i < static_cast<int>(state.parts.size()); ++i) {
+    const PartLine& line = state.parts[static_cast<std::size_t>(i)];
+    const float y = at.y + static_cast<float>(i) * step;
+    draw_mark(list, line.status, {at.x + 9 * dp, y + 0.5F * font->FontSize}, 8 * dp);
+    const std::string numbers = numbers_of(line);
+    const float name_width = 0.34F * width;
+    list.AddText({at.x + 24 * dp, y}, kTextColour, fitted(line.name, name_width - 30 * dp).c_str());
+    list.AddText({at.x + name_width, y}, kDimTextColour,
+                 fitted(numbers, width - name_width).c_str());
+  }
+  ImGui::PopFont();
+}
+
+// All parts, each a target of full height; a tap lights the part.
+void draw_list(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
+  const Rect& card = painter.layout.card;
+  const double dp = painter.theme.dp;
+  const double top = painter.layout.strip.height + 8 * dp;
+  const Rect rect{card.x, top, card.width, card.y - 8 * dp - top};
+  begin_panel(painter, "parts", rect);
+  for (const PartLine& line : state.parts) {
+    ImGui::PushID(line.part);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const auto height = static_cast<float>(kTargetDp * dp);
+    if (ImGui::InvisibleButton("row", {width, height})) {
+      commands.push_back({Action::kLightPart, line.part});
+    }
+    // Only what is in sight of the scrolled list can be tapped.
+    if (at.y >= rect.y && at.y + height <= rect.y + rect.height) {
+      painter.targets.targets.push_back({"Part " + line.name, {at.x, at.y, width, height}});
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto d = static_cast<float>(dp);
+    if (line.part == state.lit_part) {
+      list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(0x56, 0xB4, 0xE9, 60), 8 * d);
+    }
+    draw_mark(list, line.status, {at.x + 24 * d, at.y + 0.5F * height}, 14 * d);
+    list.AddText(painter.theme.body, painter.theme.body->FontSize, {at.x + 52 * d, at.y + 14 * d},
+                 kTextColour, (line.name + " · " + word(line.status)).c_str());
+    list.AddText(painter.theme.small, painter.theme.small->FontSize, {at.x + 52 * d, at.y + 42 * d},
+                 kDimTextColour, numbers_of(line).c_str());
+    ImGui::PopID();
+  }
+  ImGui::End();
+}
+
+void draw_card(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
+  const Rect& card = painter.layout.card;
+  const auto dp = static_cast<float>(painter.theme.dp);
+  begin_panel(painter, "card", card);
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  const float inner = ImGui::GetContentRegionAvail().x;
+  const bool listed = state.measured && !state.parts.empty();
+  const float left = listed ? 0.42F * inner : inner;
+  if (listed) {
+    painter.targets.targets.push_back({"Parts", card});
+    if (ImGui::InvisibleButton("toggle", ImGui::GetContentRegionAvail())) {
+      commands.push_back({Action::kToggleList});
+    }
+    ImGui::SetCursorScreenPos(start);
+  }
+  draw_deciding(state, painter, left - 8 * dp);
+  if (listed) draw_rows(state, painter, {start.x + left, start.y + 2 * dp}, inner - left, 3);
+  // The foot: what to do, or what just happened.
+  const std::string& foot =
+      state.notice.empty() ? (listed ? state.hint : state.notice) : state.notice;
+  if (!foot.empty()) {
+    ImGui::PushFont(painter.theme.small);
+    const float y =
+        static_cast<float>(card.y + card.height) - painter.theme.small->FontSize - 9 * dp;
+    const bool warns = state.notice.empty() && state.hint_is_warning;
+    ImGui::GetWindowDrawList()->AddText({start.x, y}, warns ? kSuspiciousColour : kTextColour,
+                                        fitted(foot, inner).c_str());
+    ImGui::PopFont();
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+void draw_work(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
+  const Layout& layout = painter.layout;
+  if (state.list_open && state.measured) draw_list(state, painter, commands);
+  draw_card(state, painter, commands);
+  if (big_button(painter, "Align", layout.actions[0])) commands.push_back({Action::kAlign});
+  if (state.measured) {
+    if (big_button(painter, "Check", layout.actions[1], state.checking ? "working" : "",
+                   ButtonLook::kPrimary)) {
+      commands.push_back({Action::kCheck});
+    }
+  }
+  if (big_button(painter, "Shot", layout.actions[2])) commands.push_back({Action::kShot});
+  if (state.aligned && big_button(painter, "View", layout.actions[3], state.view_word)) {
+    commands.push_back({Action::kView});
+  }
+  if (state.detached) {
+    if (big_button(painter, "Camera", layout.actions[4], "view")) {
+      commands.push_back({Action::kCameraView});
+    }
+  } else if (state.can_replay && big_button(painter, "Replay", layout.actions[4])) {
+    commands.push_back({Action::kReplay});
+  }
+}
+
+}  // namespace spool::ui

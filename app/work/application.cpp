@@ -1,0 +1,223 @@
+// The application's loop body: states and input in, one picture out.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/work/application.h"
+
+#include <cmath>
+
+#include <imgui.h>
+
+#include "app/work/picking.h"
+#include "render/embedded_files.h"
+
+namespace spool {
+
+namespace {
+constexpr double kNeutralLeast = 0.0005;  // m
+constexpr float kFrameSeconds = 1.0F / 30.0F;
+constexpr double kDesignFovDeg = 35.0;
+}  // namespace
+
+Application::Application(ApplicationInputs inputs)
+    : in_(std::move(inputs)),
+      imgui_(ImGui::CreateContext(), [](ImGuiContext* context) { ImGui::DestroyContext(context); }),
+      poses_(in_.design->model.origin),
+      landmarks_(propose_landmarks(in_.design->model, *in_.design->surface)),
+      picks_(landmarks_.landmarks),
+      gestures_(tap_slop_px(in_.dots_per_inch)) {}
+
+Application::~Application() {
+  jobs_.wait();
+  feed_.reset();
+  picture_.reset();
+}
+
+Result<std::unique_ptr<Application>> Application::create(ApplicationInputs inputs) {
+  std::unique_ptr<Application> app(new Application(std::move(inputs)));
+  const ApplicationInputs& in = app->in_;
+  const double dp = ui::pixels_per_dp(in.dots_per_inch);
+  Result<ui::Theme> theme = ui::load_theme(render::embedded_file("font.otf").value_or(""), dp);
+  if (!theme) return theme.error();
+  app->theme_ = *theme;
+  Result<Picture> picture = Picture::create(*in.design, in.width, in.height, dp);
+  if (!picture) return picture.error();
+  app->picture_ = std::make_unique<Picture>(std::move(*picture));
+  if (const Status status = app->resize(in.width, in.height); !status) return status.error();
+  Result<std::unique_ptr<Feed>> feed = in.open_feed();
+  if (!feed) return feed.error();
+  app->feed_ = std::move(*feed);
+  return app;
+}
+
+Status Application::resize(int width, int height) {
+  in_.width = width;
+  in_.height = height;
+  layout_ = ui::lay_out(width, height, theme_.dp);
+  design_eye_ = scan_eye_ = work_eye_ = ViewControl();
+  detached_ = false;
+  return picture_->resize(width, height);
+}
+
+void Application::take_notes() {
+  while (const std::optional<SensorNote> note = feed_->note()) {
+    switch (note->kind) {
+      case SensorNote::Kind::kUnplugged:
+        unplugged_ = true;
+        break;
+      case SensorNote::Kind::kReplugged:
+        unplugged_ = false;
+        break;
+      case SensorNote::Kind::kEnded:
+        ended_ = true;
+        break;
+      case SensorNote::Kind::kFailed:
+        ended_ = true;
+        failure_ = note->error;
+        break;
+    }
+  }
+}
+
+std::optional<double> Application::advance() {
+  VisionStatePtr next = feed_->poll();
+  poses_.add(feed_->take_track());
+  take_notes();
+  if (!next) return std::nullopt;
+  const double before = state_ ? state_->frame->seconds : next->frame->seconds;
+  const bool answered = awaiting_alignment_ && next->alignment >= alignments_asked_;
+  state_ = std::move(next);
+  if (answered) {
+    awaiting_alignment_ = false;
+    aligned_ = state_->quality != TrackQuality::kUnaligned;
+    if (aligned_) leave_align();
+  }
+  if (state_->is_tracked()) last_tracked_ = state_;
+  return std::max(0.0, state_->frame->seconds - before);
+}
+
+// Fingers that come down on a panel belong to it until they lift; all others make gestures.
+void Application::route(const std::vector<ui::TouchEvent>& events) {
+  std::vector<ui::TouchEvent> free;
+  for (const ui::TouchEvent& event : events) {
+    const bool ends = event.phase == ui::TouchPhase::kUp || event.phase == ui::TouchPhase::kCancel;
+    if (event.phase == ui::TouchPhase::kDown && targets_.is_covered(event.x, event.y)) {
+      panel_fingers_.insert(event.id);
+    }
+    const bool scrolls =
+        event.phase == ui::TouchPhase::kWheel && targets_.is_covered(event.x, event.y);
+    if (!panel_fingers_.contains(event.id) && !scrolls) free.push_back(event);
+    if (ends) panel_fingers_.erase(event.id);
+  }
+  for (const ui::Gesture& gesture : gestures_.feed(free)) handle(gesture);
+}
+
+Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& events) {
+  now_s_ = now_s;
+  if (in_.wait_for_jobs) jobs_.wait();
+  take_checks();
+  while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);
+  for (const ui::TouchEvent& event : events) input_.push(event);
+  const std::vector<ui::TouchEvent> batch = input_.take_frame();
+  ui::follow(pointer_, batch);
+  route(batch);
+
+  ImGui::SetCurrentContext(imgui_.get());
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(in_.width), static_cast<float>(in_.height)};
+  io.DeltaTime = kFrameSeconds;
+  io.MousePos = pointer_.known
+                    ? ImVec2(static_cast<float>(pointer_.x), static_cast<float>(pointer_.y))
+                    : ImVec2(-FLT_MAX, -FLT_MAX);
+  io.MouseDown[0] = pointer_.pressed;
+  for (const ui::TouchEvent& event : batch) {
+    if (event.phase == ui::TouchPhase::kWheel) io.MouseWheel += static_cast<float>(event.steps);
+  }
+  ImGui::NewFrame();
+  const std::vector<ui::Command> commands =
+      ui::draw_screen(screen_state(), theme_, layout_, targets_);
+  ImGui::Render();
+
+  if (const VisionStatePtr& state = shown()) picture_->set_state(*state);
+  if (const Status status = picture_->draw(scenes(), *ImGui::GetDrawData()); !status) return status;
+  if (pending_screen_) {
+    const std::string file = std::move(*pending_screen_);
+    pending_screen_.reset();
+    save_screen(file);
+  }
+  for (const ui::Command& command : commands) handle(command);
+  return {};
+}
+
+// The pictures of the present screen; eyes that nobody moved yet are put where they belong.
+std::vector<ScenePicture> Application::scenes() {
+  const VisionStatePtr& state = shown();
+  const bool tracked = state && state->is_tracked();
+  const auto whole = [](const ui::Rect& rect) {
+    return std::pair(static_cast<int>(rect.width), static_cast<int>(rect.height));
+  };
+  std::vector<ScenePicture> out;
+  if (screen_ == ui::Screen::kAlign) {
+    const Eigen::AlignedBox3d bounds = in_.design->model.bounds();
+    const auto [width, height] = whole(layout_.design_view);
+    if (!design_eye_.is_started()) {
+      // As near to upright as the look allows: the axis of the design least along it points up.
+      Eigen::Index up = 0;
+      landmarks_.look.cwiseAbs().minCoeff(&up);
+      const render::View view = render::view_of(bounds, landmarks_.look, Eigen::Vector3d::Unit(up),
+                                                width, height, kDesignFovDeg);
+      design_eye_.start(view, (view.T_camera_design * bounds.center()).z());
+    }
+    ScenePicture design;
+    design.rect = layout_.design_view;
+    design.view = design_eye_.view();
+    design.show_cloud = false;
+    design.markers = design_markers();
+    if (const auto lit = picks_.lit()) design.lit_part = lit->part;
+    out.push_back(std::move(design));
+
+    const auto [scan_width, scan_height] = whole(layout_.scan_view);
+    if (!scan_eye_.is_started()) {
+      render::View view;
+      view.camera = render::camera_in_picture(in_.camera, scan_width, scan_height);
+      scan_eye_.start(view, 1.0);
+    }
+    ScenePicture scan;
+    scan.rect = layout_.scan_view;
+    scan.view = scan_eye_.view();
+    scan.of_scan = true;
+    scan.show_cloud = state != nullptr;
+    scan.markers = scan_markers();
+    out.push_back(std::move(scan));
+    return out;
+  }
+  ScenePicture work;
+  work.rect = layout_.work_view;
+  work.view = camera_view(in_.width, in_.height);
+  if (!tracked) {  // no overlay at a pose that is not believed
+    work.of_scan = true;
+    work.show_cloud = state != nullptr;
+    work.view.T_camera_design = Pose::Identity();
+    out.push_back(std::move(work));
+    return out;
+  }
+  if (detached_) {
+    work.view = work_eye_.view();
+  }
+  work.show_cloud = view_mode_ != 2;
+  work.show_design = view_mode_ != 1;
+  work.show_legend = true;
+  work.lit_part = lit_part_;
+  work.neutral_m = std::max(kNeutralLeast, state->point_noise_m);
+  out.push_back(std::move(work));
+  return out;
+}
+
+bool Application::is_idle() const {
+  return input_.empty() && checks_open_ == 0 && !pending_screen_ && !awaiting_alignment_;
+}
+
+void Application::give_up_picks() {
+  if (held_ && !awaiting_alignment_) release_picture();
+}
+
+}  // namespace spool

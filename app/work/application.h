@@ -1,0 +1,160 @@
+// The application's state machine: what the screens show, what taps and commands do. One per run.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/runner/command_queue.h"
+#include "app/runner/feed.h"
+#include "app/ui/gestures.h"
+#include "app/ui/input_queue.h"
+#include "app/ui/panels.h"
+#include "app/work/align_session.h"
+#include "app/work/job_thread.h"
+#include "app/work/picture.h"
+#include "app/work/pose_table.h"
+#include "app/work/view_control.h"
+#include "vision/core/result.h"
+#include "vision/inspector.h"
+
+struct ImGuiContext;
+
+namespace spool {
+
+// What one run is made of. `feed` is made anew for a replay.
+struct ApplicationInputs {
+  std::shared_ptr<const PreparedDesign> design;
+  Camera camera;
+  NoiseModel noise;
+  std::string source_text;  // as on the command line
+  std::string source_description;
+  bool is_recording = false;
+  std::function<Result<std::unique_ptr<Feed>>()> open_feed;
+  std::filesystem::path out;  // pictures and evidence go here
+  double dots_per_inch = 160;
+  int width = 1280, height = 800;  // px
+  bool wait_for_jobs = false;  // each frame waits for its jobs: the same pictures on any machine
+};
+
+// All functions on the main (GL) thread, a GLES 3 context current from create() to destruction.
+class Application {
+ public:
+  [[nodiscard]] static Result<std::unique_ptr<Application>> create(ApplicationInputs inputs);
+  Application(const Application&) = delete;
+  Application& operator=(const Application&) = delete;
+  ~Application();
+
+  // Takes what sensor and vision have. The time that passed in a recording (s) when there is a new
+  // frame.
+  [[nodiscard]] std::optional<double> advance();
+  // One frame of the screen at `now_s`: input in, picture out into picture().target().
+  [[nodiscard]] Status frame(double now_s, const std::vector<ui::TouchEvent>& events);
+  [[nodiscard]] Status resize(int width, int height);
+
+  // Nothing is on its way: no input, no job, no answer awaited.
+  [[nodiscard]] bool is_idle() const;
+  [[nodiscard]] bool source_has_ended() const { return ended_; }
+  // Lets a held recording go on: nobody will tap any more.
+  void give_up_picks();
+  // The last tracked state's inspection into `out`, the last screen, the jobs' errors. Ends the
+  // run.
+  [[nodiscard]] Status finish();
+
+  [[nodiscard]] const Picture& picture() const { return *picture_; }
+  [[nodiscard]] const PoseTable& poses() const { return poses_; }
+  // Screen, targets and views as one line of JSON; empty while it is what the last call gave.
+  [[nodiscard]] std::string changed_targets();
+  // The sensor's failure, once: the run cannot go on usefully.
+  [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
+
+ private:
+  struct Checked {
+    VisionStatePtr state;
+    Result<Inspection> inspection;
+    bool final = false;
+  };
+
+  explicit Application(ApplicationInputs inputs);
+  // application.cpp
+  void take_notes();
+  [[nodiscard]] const VisionStatePtr& shown() const { return held_ ? held_ : state_; }
+  void route(const std::vector<ui::TouchEvent>& events);
+  [[nodiscard]] std::vector<ScenePicture> scenes();
+  // application_commands.cpp
+  void handle(const ui::Command& command);
+  void handle(const ui::Gesture& gesture);
+  void tap(const ui::Gesture& gesture);
+  void start_align();
+  void finish_align();
+  void leave_align();
+  void hold_picture();
+  void release_picture();
+  void start_check(bool final);
+  void take_checks();
+  void save_screen(const std::string& file);
+  void notice(std::string text);
+  void fail(const Error& error);
+  // application_screen.cpp
+  [[nodiscard]] ui::ScreenState screen_state() const;
+  void fill_align(ui::ScreenState& out) const;
+  void fill_work(ui::ScreenState& out) const;
+  [[nodiscard]] render::View camera_view(int width, int height) const;
+  [[nodiscard]] std::vector<render::Marker> design_markers() const;
+  [[nodiscard]] std::vector<render::Marker> scan_markers() const;
+
+  ApplicationInputs in_;
+  std::unique_ptr<ImGuiContext, void (*)(ImGuiContext*)> imgui_;
+  ui::Theme theme_;
+  std::unique_ptr<Picture> picture_;
+  std::unique_ptr<Feed> feed_;
+  PoseTable poses_;
+  LandmarkProposal landmarks_;
+  AlignSession picks_;
+
+  // What is shown.
+  VisionStatePtr state_;         // the newest
+  VisionStatePtr held_;          // picks are being made on this one
+  VisionStatePtr last_tracked_;  // the newest with a believed pose
+  ui::Screen screen_ = ui::Screen::kAlign;
+  bool aligned_ = false;
+  std::uint64_t alignments_asked_ = 0;
+  bool awaiting_alignment_ = false;
+  bool unplugged_ = false, ended_ = false;
+  std::optional<Error> failure_;
+  int view_mode_ = 0;  // both, scan, design
+  int lit_part_ = -1;
+  bool list_open_ = false;
+  std::string notice_;
+  double notice_until_s_ = 0;
+  double now_s_ = 0;
+
+  // Input.
+  ui::Layout layout_;
+  ui::InputQueue input_;
+  ui::Pointer pointer_;
+  ui::GestureRecogniser gestures_;
+  std::set<int> panel_fingers_;  // came down on a panel; no gesture comes of them
+  ui::TargetList targets_;
+  ViewControl design_eye_, scan_eye_, work_eye_;
+  bool detached_ = false;
+  std::string last_targets_;
+
+  // Evidence.
+  int shots_ = 0, checks_ = 0, checks_open_ = 0;
+  std::optional<std::string> pending_screen_;  // file to save after the next draw
+  bool finishing_ = false;
+  std::optional<std::pair<ui::StatusMark, std::string>> last_check_;
+  CommandQueue<Checked> checked_;
+  CommandQueue<Error> write_errors_;
+  std::optional<Error> first_write_error_;
+  JobThread jobs_;  // last: its jobs use what stands above
+};
+
+}  // namespace spool

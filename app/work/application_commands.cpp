@@ -1,0 +1,275 @@
+// What taps, gestures and buttons do.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "app/evidence/writer.h"
+#include "app/work/application.h"
+#include "app/work/picking.h"
+#include "vision/core/file_digest.h"
+#include "vision/core/file_io.h"
+#include "vision/scan/back_projection.h"
+
+namespace spool {
+
+namespace {
+constexpr double kNoticeSeconds = 4.0;
+constexpr int kViewModes = 3;
+
+std::string digest_of(const DepthFrame& frame) {
+  return sha256_hex({reinterpret_cast<const char*>(frame.depth.data()),
+                     frame.depth.size() * sizeof(frame.depth.front())});
+}
+
+ui::StatusMark mark_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kOk:
+      return ui::StatusMark::kOk;
+    case Verdict::kSuspicious:
+      return ui::StatusMark::kSuspicious;
+    case Verdict::kNotOk:
+      return ui::StatusMark::kNotOk;
+    case Verdict::kNotMeasured:
+      break;
+  }
+  return ui::StatusMark::kNotMeasured;
+}
+}  // namespace
+
+void Application::handle(const ui::Command& command) {
+  switch (command.action) {
+    case ui::Action::kAlign:
+      start_align();
+      break;
+    case ui::Action::kFinish:
+      finish_align();
+      break;
+    case ui::Action::kBack:
+      release_picture();
+      screen_ = ui::Screen::kWork;
+      break;
+    case ui::Action::kUndo:
+      picks_.undo();
+      if (picks_.pairs().empty()) release_picture();
+      break;
+    case ui::Action::kCheck:
+      start_check(false);
+      break;
+    case ui::Action::kShot:
+      pending_screen_ = fmt::format("screen_{:03}.png", ++shots_);
+      break;
+    case ui::Action::kView:
+      view_mode_ = (view_mode_ + 1) % kViewModes;
+      break;
+    case ui::Action::kCameraView:
+      detached_ = false;
+      break;
+    case ui::Action::kToggleList:
+      list_open_ = !list_open_;
+      break;
+    case ui::Action::kLightPart:
+      lit_part_ = lit_part_ == command.part ? -1 : command.part;
+      break;
+    case ui::Action::kReplay: {
+      Result<std::unique_ptr<Feed>> feed = in_.open_feed();
+      if (!feed) {
+        fail(feed.error());
+        break;
+      }
+      feed_ = std::move(*feed);
+      ended_ = aligned_ = awaiting_alignment_ = false;
+      alignments_asked_ = 0;
+      state_ = held_ = nullptr;
+      start_align();
+      break;
+    }
+  }
+}
+
+void Application::handle(const ui::Gesture& gesture) {
+  if (gesture.kind == ui::Gesture::Kind::kTap) {
+    tap(gesture);
+    return;
+  }
+  if (screen_ == ui::Screen::kAlign) {
+    const bool on_design = layout_.design_view.contains(gesture.start_x, gesture.start_y);
+    ViewControl& eye = on_design ? design_eye_ : scan_eye_;
+    if (eye.is_started()) eye.apply(gesture, on_design ? layout_.design_view : layout_.scan_view);
+    return;
+  }
+  const VisionStatePtr& state = shown();
+  if (!state || !state->is_tracked()) return;
+  if (!detached_) {
+    const render::View view = camera_view(in_.width, in_.height);
+    work_eye_.start(view, (view.T_camera_design * in_.design->model.bounds().center()).z());
+    detached_ = true;
+  }
+  work_eye_.apply(gesture, layout_.work_view);
+}
+
+void Application::tap(const ui::Gesture& gesture) {
+  const double slop = tap_slop_px(in_.dots_per_inch);
+  if (screen_ == ui::Screen::kWork) {
+    const VisionStatePtr& state = shown();
+    if (!state || !state->is_tracked()) return;
+    const render::View view = detached_ ? work_eye_.view() : camera_view(in_.width, in_.height);
+    const auto hit =
+        pick_design(in_.design->model, *in_.design->surface, {}, view, gesture.x, gesture.y, slop);
+    lit_part_ = hit && hit->part != lit_part_ ? hit->part : -1;
+    return;
+  }
+  if (awaiting_alignment_) return;
+  if (layout_.design_view.contains(gesture.x, gesture.y)) {
+    const auto hit = pick_design(in_.design->model, *in_.design->surface, landmarks_.landmarks,
+                                 design_eye_.view(), gesture.x - layout_.design_view.x,
+                                 gesture.y - layout_.design_view.y, slop);
+    if (hit) {
+      picks_.choose_design_point(*hit);
+    } else {
+      notice("No part of the drawing there: tap on it.");
+    }
+    return;
+  }
+  if (!layout_.scan_view.contains(gesture.x, gesture.y) || !shown()) return;
+  const auto index =
+      pick_point(shown()->scan.points, scan_eye_.view(), gesture.x - layout_.scan_view.x,
+                 gesture.y - layout_.scan_view.y, slop);
+  if (!index) {
+    notice("Nothing measured there: tap on the steel.");
+    return;
+  }
+  hold_picture();
+  if (!picks_.pick_scan_point(held_->scan.points[*index].cast<double>())) {
+    notice("Tap a point of the drawing first.");
+  }
+}
+
+void Application::start_align() {
+  screen_ = ui::Screen::kAlign;
+  picks_.clear();
+  list_open_ = false;
+}
+
+// Picks are made on one frame: the picture stands still, a recording waits, a camera is followed.
+void Application::hold_picture() {
+  if (held_) return;
+  held_ = state_;
+  feed_->pause(true);
+  feed_->command({VisionCommand::Kind::kHold, held_, Pose::Identity()});
+}
+
+void Application::release_picture() {
+  picks_.clear();
+  if (!held_) return;
+  held_.reset();
+  feed_->command({VisionCommand::Kind::kRelease, nullptr, Pose::Identity()});
+  feed_->pause(false);
+}
+
+void Application::finish_align() {
+  if (picks_.result().status != PairsStatus::kOk || !held_ || awaiting_alignment_) return;
+  awaiting_alignment_ = true;
+  ++alignments_asked_;
+  feed_->command({VisionCommand::Kind::kAlign, held_, picks_.result().T_design_scan});
+}
+
+// The picks were believed: on with the work.
+void Application::leave_align() {
+  screen_ = ui::Screen::kWork;
+  picks_.clear();
+  held_.reset();
+  detached_ = false;
+  feed_->pause(false);
+}
+
+void Application::start_check(bool final) {
+  const VisionStatePtr state = final ? last_tracked_ : shown();
+  if (!state || !state->is_tracked()) return;
+  ++checks_open_;
+  InspectorOptions options;
+  options.align = AlignMethod::kPose;
+  options.units_confirmed = !in_.design->model.unit_inferred;
+  options.single_frame = true;
+  Pose T = state->T_design_camera;  // into the design file's own coordinates
+  T.translation() += in_.design->model.origin;
+  options.T_design_scan = T;
+  jobs_.run([this, state, options, final] {
+    const Result<PointCloud> cloud = back_project(*state->frame, in_.camera);
+    Result<Inspection> inspection = cloud
+                                        ? Inspector(in_.design).process(*cloud, in_.noise, options)
+                                        : Result<Inspection>(cloud.error());
+    static_cast<void>(checked_.push({state, std::move(inspection), final}));
+  });
+}
+
+// Pictures need the GL thread: drawn here, written by the job thread.
+void Application::take_checks() {
+  while (std::optional<Checked> done = checked_.try_pop()) {
+    --checks_open_;
+    if (!done->inspection) {
+      fail(done->inspection.error());
+      continue;
+    }
+    auto record = std::make_shared<evidence::InspectionRecord>();
+    record->design = in_.design;
+    record->inspection = std::move(*done->inspection);
+    record->scan.file = in_.source_text;
+    record->scan.sha256 = digest_of(*done->state->frame);
+    record->scan.kind = in_.is_recording ? "recording" : "device";
+    record->scan.frame = done->state->frame->index;
+    for (const std::uint16_t depth : done->state->frame->depth) record->scan.points += depth != 0;
+    record->sensor = in_.source_description;
+    record->calibration = in_.camera.calibration;
+    record->warnings = in_.design->model.warnings;
+    last_check_ = {mark_of(record->inspection.status), record->inspection.status_reason};
+    Result<std::vector<evidence::OverlayPicture>> pictures = evidence::draw_overlays(*record);
+    if (!pictures) {
+      fail(pictures.error());
+      continue;
+    }
+    const std::filesystem::path folder =
+        done->final ? in_.out : in_.out / fmt::format("check_{:03}", ++checks_);
+    if (!done->final) {
+      notice(fmt::format("{}: {} Saved in {}.", ui::word(last_check_->first), last_check_->second,
+                         folder.string()));
+    }
+    jobs_.run([this, folder, record, shown = std::move(*pictures)] {
+      const Status written = evidence::write_inspection(folder, *record, shown);
+      if (!written) static_cast<void>(write_errors_.push(written.error()));
+    });
+  }
+}
+
+void Application::save_screen(const std::string& file) {
+  const std::filesystem::path path = in_.out / file;
+  notice("Saved " + path.string());
+  jobs_.run([this, path, image = picture_->target().read()] {
+    Status written = make_folder(path.parent_path());
+    if (written) written = render::write_png(path, image);
+    if (!written) static_cast<void>(write_errors_.push(written.error()));
+  });
+}
+
+void Application::notice(std::string text) {
+  notice_ = std::move(text);
+  notice_until_s_ = now_s_ + kNoticeSeconds;
+}
+
+void Application::fail(const Error& error) {
+  if (!first_write_error_) first_write_error_ = error;
+  notice(error.message);
+}
+
+Status Application::finish() {
+  pending_screen_ = "screen_end.png";
+  if (const Status status = frame(now_s_, {}); !status) return status;
+  if (last_tracked_) start_check(true);
+  jobs_.wait();   // the inspection
+  take_checks();  // draws its pictures
+  jobs_.wait();   // writes them
+  while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);
+  if (first_write_error_) return *first_write_error_;
+  return {};
+}
+
+}  // namespace spool

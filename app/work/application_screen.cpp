@@ -1,0 +1,210 @@
+// What the screen says: words, numbers and marks of the state that is shown.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "app/work/application.h"
+
+namespace spool {
+
+namespace {
+// Less of a part seen than this share says nothing of the part.
+constexpr double kSeenShare = 0.05;
+constexpr std::size_t kSeenPoints = 30;
+constexpr std::size_t kChips = 3;
+
+ui::TrackingMark mark_of(TrackQuality quality) {
+  switch (quality) {
+    case TrackQuality::kGood:
+      return ui::TrackingMark::kGood;
+    case TrackQuality::kPoor:
+      return ui::TrackingMark::kPoor;
+    case TrackQuality::kLost:
+      return ui::TrackingMark::kLost;
+    case TrackQuality::kUnaligned:
+      break;
+  }
+  return ui::TrackingMark::kNone;
+}
+
+nlohmann::json to_json(const ui::Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
+
+nlohmann::json to_json(const render::View& view) {
+  const auto pose = row_major(view.T_camera_design);
+  return {{"fx", view.camera.fx},
+          {"fy", view.camera.fy},
+          {"cx", view.camera.cx},
+          {"cy", view.camera.cy},
+          {"T_view_world", pose}};
+}
+}  // namespace
+
+render::View Application::camera_view(int width, int height) const {
+  render::View view;
+  view.camera = render::camera_in_picture(in_.camera, width, height);
+  if (const VisionStatePtr& state = shown(); state && state->is_tracked()) {
+    view.T_camera_design = state->T_design_camera.inverse();
+  }
+  return view;
+}
+
+std::vector<render::Marker> Application::design_markers() const {
+  std::vector<render::Marker> out;
+  for (const PointPair& pair : picks_.pairs()) {
+    out.push_back(
+        {pair.design.cast<float>(), render::Marker::Kind::kPicked, std::to_string(out.size() + 1)});
+  }
+  if (const auto lit = picks_.lit(); lit && picks_.pairs().size() < kChips) {
+    out.push_back({lit->position.cast<float>(), render::Marker::Kind::kProposed,
+                   std::to_string(out.size() + 1)});
+  }
+  return out;
+}
+
+std::vector<render::Marker> Application::scan_markers() const {
+  std::vector<render::Marker> out;
+  for (const PointPair& pair : picks_.pairs()) {
+    out.push_back(
+        {pair.scan.cast<float>(), render::Marker::Kind::kScan, std::to_string(out.size() + 1)});
+  }
+  return out;
+}
+
+ui::ScreenState Application::screen_state() const {
+  ui::ScreenState out;
+  const DesignModel& design = in_.design->model;
+  out.screen = screen_;
+  out.title =
+      !design.spool.empty() ? design.spool : std::filesystem::path(design.path).stem().string();
+  out.source = unplugged_ ? "sensor unplugged" : in_.source_description;
+  out.source_is_well = !unplugged_ && !failure_;
+  out.can_replay = in_.is_recording && ended_ && !held_;
+  if (now_s_ < notice_until_s_) out.notice = notice_;
+  if (state_) out.tracking = mark_of(state_->quality);
+  if (screen_ == ui::Screen::kAlign) {
+    fill_align(out);
+  } else {
+    fill_work(out);
+  }
+  // What is wrong with the sensor comes before everything else.
+  if (failure_) {
+    out.hint = failure_->message;
+    out.hint_is_warning = true;
+  } else if (unplugged_) {
+    out.hint = "The sensor is unplugged: plug it in again, the work goes on by itself.";
+    out.hint_is_warning = true;
+  } else if (!state_) {
+    out.hint = "Waiting for the first picture of the sensor.";
+  }
+  return out;
+}
+
+void Application::fill_align(ui::ScreenState& out) const {
+  const std::vector<PointPair>& pairs = picks_.pairs();
+  const PairsAlignment& result = picks_.result();
+  for (std::size_t i = 0; i < std::max(kChips, pairs.size()); ++i) {
+    ui::PairChip chip;
+    chip.set = i < pairs.size();
+    chip.current = i == pairs.size();
+    if (chip.set && i < result.residual_m.size()) chip.residual_mm = 1e3 * result.residual_m[i];
+    out.chips.push_back(chip);
+  }
+  out.can_undo = picks_.can_undo() && !awaiting_alignment_;
+  out.can_finish =
+      result.status == PairsStatus::kOk && pairs.size() >= kChips && !awaiting_alignment_;
+  out.can_go_back = aligned_ && !awaiting_alignment_;
+  const auto lit = picks_.lit();
+  if (awaiting_alignment_) {
+    out.hint = "Fitting the drawing to the steel.";
+  } else if (pairs.size() >= kChips && result.status != PairsStatus::kOk) {
+    out.hint = result.reason;
+    out.hint_is_warning = true;
+    out.proposed = "Undo, then pick again.";
+  } else if (out.can_finish) {
+    const bool refused =
+        state_ && !state_->hint.empty() && state_->quality == TrackQuality::kUnaligned;
+    out.hint = refused ? state_->hint : "Three points fit: press Done, or Undo to pick again.";
+    out.hint_is_warning = refused;
+  } else if (lit) {
+    out.hint = fmt::format("Point {}: find {} and tap it in the camera picture.", pairs.size() + 1,
+                           lit->text);
+    out.proposed = "Not in sight? Turn the drawing and tap another point of it instead.";
+  } else {
+    out.hint = "Tap a point of the drawing, then the same point in the camera picture.";
+  }
+  if (!out.notice.empty() && !out.hint_is_warning) out.proposed = out.notice;
+}
+
+void Application::fill_work(ui::ScreenState& out) const {
+  static constexpr const char* kViewWords[] = {"both", "scan", "drawing"};
+  const VisionStatePtr& state = shown();
+  out.aligned = aligned_;
+  out.measured = state && state->is_tracked();
+  out.detached = detached_ && out.measured;
+  out.view_word = kViewWords[view_mode_];
+  out.list_open = list_open_;
+  out.lit_part = lit_part_;
+  out.checking = checks_open_ > 0;
+  if (last_check_) std::tie(out.overall, out.overall_reason) = *last_check_;
+  if (state) {
+    out.hint = state->hint;
+    out.hint_is_warning = !state->hint.empty();
+    out.point_noise_mm = 1e3 * state->point_noise_m;
+  }
+  if (out.hint.empty()) out.hint = "Look where it matters, then press Check.";
+  if (!out.measured) return;
+  const std::vector<Part>& parts = in_.design->model.parts;
+  for (std::size_t i = 0; i < state->parts.size(); ++i) {
+    const PartDeviation& part = state->parts[i];
+    const bool seen = part.points >= kSeenPoints && part.coverage >= kSeenShare;
+    ui::PartLine line;
+    line.part = static_cast<int>(i);
+    line.name = parts[i].name;
+    line.status = seen ? ui::StatusMark::kSuspicious : ui::StatusMark::kNotMeasured;
+    line.mean_mm = 1e3 * part.mean_m;
+    line.p95_mm = 1e3 * part.p95_abs_m;
+    line.coverage = part.coverage;
+    out.parts.push_back(std::move(line));
+  }
+  std::stable_sort(out.parts.begin(), out.parts.end(),
+                   [](const ui::PartLine& a, const ui::PartLine& b) {
+                     const bool a_seen = a.status != ui::StatusMark::kNotMeasured;
+                     const bool b_seen = b.status != ui::StatusMark::kNotMeasured;
+                     if (a_seen != b_seen) return a_seen;
+                     return std::abs(a.mean_mm) > std::abs(b.mean_mm);
+                   });
+}
+
+std::string Application::changed_targets() {
+  nlohmann::json json;
+  json["screen"] = screen_ == ui::Screen::kAlign ? "align" : "work";
+  json["width"] = in_.width;
+  json["height"] = in_.height;
+  json["tracking"] = state_ ? name(state_->quality) : "none";
+  json["picks"] = picks_.pairs().size();
+  json["targets"] = nlohmann::json::object();
+  for (const ui::Target& target : targets_.targets)
+    json["targets"][target.name] = to_json(target.rect);
+  if (screen_ == ui::Screen::kAlign) {
+    json["design_view"] = to_json(design_eye_.view());
+    json["design_view"]["rect"] = to_json(layout_.design_view);
+    json["scan_view"] = to_json(scan_eye_.view());
+    json["scan_view"]["rect"] = to_json(layout_.scan_view);
+    if (held_) json["held_frame"] = held_->frame->index;
+    if (const auto lit = picks_.lit()) {
+      const Eigen::Vector3d p = lit->position + in_.design->model.origin;
+      json["lit"] = {{"text", lit->text}, {"position_m", {p.x(), p.y(), p.z()}}};
+    }
+  }
+  std::string text = json.dump();
+  if (text == last_targets_) return {};
+  last_targets_ = text;
+  return text;
+}
+
+}  // namespace spool

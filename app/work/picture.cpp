@@ -1,0 +1,85 @@
+// Draws one screen's pictures and the panels into one target.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/work/picture.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace spool {
+
+namespace {
+// Points are drawn so large that the thinned cloud closes to a surface at a hand's distance.
+constexpr float kPointSizeDp = 3.0F;
+}  // namespace
+
+Result<Picture> Picture::create(const PreparedDesign& design, int width, int height, double dp) {
+  Result<render::OverlayRenderer> overlay = render::OverlayRenderer::create();
+  if (!overlay) return overlay.error();
+  Result<render::OverlayRenderer> scan = render::OverlayRenderer::create();
+  if (!scan) return scan.error();
+  Result<render::ImguiPass> panels = render::ImguiPass::create();
+  if (!panels) return panels.error();
+  Picture picture(std::move(*overlay), std::move(*scan), std::move(*panels), dp);
+  picture.overlay_.set_design(design.model.mesh, design.model.triangle_part);
+  if (const Status status = picture.resize(width, height); !status) return status.error();
+  return picture;
+}
+
+Status Picture::resize(int width, int height) {
+  if (target_.width() == width && target_.height() == height) return {};
+  Result<render::Offscreen> target = render::Offscreen::create(width, height);
+  if (!target) return target.error();
+  target_ = std::move(*target);
+  parts_.clear();
+  return {};
+}
+
+void Picture::set_state(const VisionState& state) {
+  if (state.revision == shown_revision_) return;
+  shown_revision_ = state.revision;
+  std::vector<std::uint8_t> classes;
+  classes.reserve(state.classes.size());
+  for (const PointClass c : state.classes) classes.push_back(static_cast<std::uint8_t>(c));
+  overlay_.set_points(state.scan_design.points, state.deviations.distance_m, classes);
+  // Before an alignment every point may be the object, and no deviation is known.
+  const std::vector<float> unknown(state.scan.size(), std::numeric_limits<float>::quiet_NaN());
+  classes.assign(state.scan.size(), static_cast<std::uint8_t>(PointClass::kObject));
+  scan_.set_points(state.scan.points, unknown, classes);
+}
+
+Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& panels) {
+  std::size_t used = 0;
+  for (const ScenePicture& scene : scenes) {
+    render::OverlayRenderer& renderer = scene.of_scan ? scan_ : overlay_;
+    renderer.set_markers(scene.markers);
+    render::OverlayStyle style;
+    style.neutral_m = scene.neutral_m;
+    style.show_cloud = scene.show_cloud;
+    style.show_design = scene.show_design && !scene.of_scan;
+    style.show_legend = scene.show_legend;
+    style.lit_part = scene.lit_part;
+    style.point_size_px = kPointSizeDp * static_cast<float>(dp_);
+    style.scale = dp_;
+    const int width = scene.view.camera.width;
+    const int height = scene.view.camera.height;
+    if (width == target_.width() && height == target_.height()) {
+      if (const Status status = renderer.draw(target_, scene.view, style); !status) return status;
+      continue;
+    }
+    if (parts_.size() <= used) parts_.emplace_back();
+    render::Offscreen& part = parts_[used++];
+    if (part.width() != width || part.height() != height) {
+      Result<render::Offscreen> made = render::Offscreen::create(width, height);
+      if (!made) return made.error();
+      part = std::move(*made);
+    }
+    if (const Status status = renderer.draw(part, scene.view, style); !status) return status;
+    part.copy_to(target_, static_cast<int>(std::lround(scene.rect.x)),
+                 static_cast<int>(std::lround(scene.rect.y)));
+  }
+  return panels_.draw(target_, panels);
+}
+
+}  // namespace spool

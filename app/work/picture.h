@@ -1,0 +1,64 @@
+// Draws one screen's pictures and the panels into one target: the same for a window and for a file.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/runner/vision_state.h"
+#include "app/ui/layout.h"
+#include "render/imgui_pass.h"
+#include "render/offscreen.h"
+#include "render/overlay.h"
+#include "render/view.h"
+#include "vision/inspector.h"
+
+struct ImDrawData;
+
+namespace spool {
+
+// One picture of the scene within the screen.
+struct ScenePicture {
+  ui::Rect rect;      // where it stands, px
+  render::View view;  // its camera is rect's size
+  bool of_scan =
+      false;  // the bare scan in the camera frame; else design and overlay in the design frame
+  bool show_cloud = true;
+  bool show_design = true;
+  bool show_legend = false;
+  int lit_part = -1;
+  double neutral_m = 0.001;             // half width of the grey band
+  std::vector<render::Marker> markers;  // in the picture's world
+};
+
+// GL thread only; made while a context is current and gone before it.
+class Picture {
+ public:
+  [[nodiscard]] static Result<Picture> create(const PreparedDesign& design, int width, int height,
+                                              double dp);
+
+  [[nodiscard]] Status resize(int width, int height);
+  // What the scene's pictures show from now on; nothing is sent to the GPU for a state already
+  // there.
+  void set_state(const VisionState& state);
+  [[nodiscard]] Status draw(const std::vector<ScenePicture>& scenes, const ImDrawData& panels);
+  [[nodiscard]] const render::Offscreen& target() const { return target_; }
+
+ private:
+  Picture(render::OverlayRenderer overlay, render::OverlayRenderer scan, render::ImguiPass panels,
+          double dp)
+      : overlay_(std::move(overlay)), scan_(std::move(scan)), panels_(std::move(panels)), dp_(dp) {}
+
+  render::OverlayRenderer overlay_;  // design and measured points, design frame
+  render::OverlayRenderer scan_;     // points only, camera frame
+  render::ImguiPass panels_;
+  render::Offscreen target_;
+  std::vector<render::Offscreen> parts_;  // pictures that do not fill the screen
+  std::uint64_t shown_revision_ = 0;
+  double dp_ = 1;
+};
+
+}  // namespace spool

@@ -1,0 +1,29 @@
+// poses.csv: where the camera was in every frame (DESIGN 4.1).
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "app/runner/vision_runner.h"
+#include "vision/core/result.h"
+
+namespace spool {
+
+// One row a frame; an alignment made on a frame replaces that frame's row.
+class PoseTable {
+ public:
+  // `origin`: the design's own (m); the file holds poses in the design file's coordinates.
+  explicit PoseTable(const Eigen::Vector3d& origin) : origin_(origin) {}
+  void add(const std::vector<TrackRow>& rows);
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] Status write(const std::filesystem::path& path) const;  // whole or not at all
+
+ private:
+  Eigen::Vector3d origin_;
+  std::map<std::int64_t, TrackRow> rows_;
+};
+
+}  // namespace spool

@@ -1,0 +1,147 @@
+// Claims about keeping a pose from frame to frame, against known truth.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/runner/frame_processor.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/app/runner/simulated_scene.h"
+
+namespace spool {
+namespace {
+
+FrameProcessor processor() {
+  NoiseModel noise;
+  noise.constant_m = 0.0008;  // half a millimetre drawn, and the rounding to whole millimetres
+  return {test::prepared_bracket(), test::small_camera(), noise, {.stride_px = 1}};
+}
+
+VisionStatePtr run(FrameProcessor& vision, std::shared_ptr<const DepthFrame> frame) {
+  auto state = vision.process(std::move(frame));
+  EXPECT_TRUE(state.has_value());
+  return state ? *state : nullptr;
+}
+
+std::shared_ptr<const DepthFrame> frame_at(const Pose& T, std::int64_t index) {
+  return test::render_frame(*test::prepared_bracket(), T, index);
+}
+
+// Thousands of points of 1 mm leave hundredths of a millimetre; the pixel grid at the edges leaves
+// the rest.
+void expect_pose(const Pose& measured, const Pose& truth) {
+  const PoseSize error = pose_size(truth.inverse() * measured);
+  EXPECT_LT(error.translation_m, 0.0015);
+  EXPECT_LT(error.rotation_rad, 0.004);
+}
+
+Pose off_by_picks(const Pose& T) {
+  Vector6d small;
+  small << 0.010, -0.008, 0.006, 0.02, -0.03, 0.02;
+  return pose_from_small(small) * T;
+}
+
+TEST(FrameProcessor, ShowsACloudWithoutNumbersBeforeAnAlignment) {
+  FrameProcessor vision = processor();
+  const auto state = run(vision, frame_at(test::T_design_camera(), 0));
+  EXPECT_EQ(state->quality, TrackQuality::kUnaligned);
+  EXPECT_GT(state->scan.size(), 10000U);
+  EXPECT_TRUE(state->scan_design.empty());
+  EXPECT_TRUE(state->parts.empty());
+}
+
+TEST(FrameProcessor, FollowsAWalkingCameraAfterPicksOffByACentimetre) {
+  FrameProcessor vision = processor();
+  const Pose first = test::T_design_camera();
+  const auto held = run(vision, frame_at(first, 0));
+  const auto aligned = vision.align(*held, off_by_picks(first));
+  ASSERT_EQ(aligned->quality, TrackQuality::kGood) << aligned->hint << aligned->agreement;
+  expect_pose(aligned->T_design_camera, first);
+  for (int i = 1; i <= 10; ++i) {
+    const Pose truth = test::T_design_camera(0.01 * i, 0.004 * i);  // 7 mm a frame
+    const auto state = run(vision, frame_at(truth, i));
+    ASSERT_EQ(state->quality, TrackQuality::kGood) << "frame " << i;
+    expect_pose(state->T_design_camera, truth);
+  }
+}
+
+TEST(FrameProcessor, EverythingOfAStateBelongsToItsFrame) {
+  FrameProcessor vision = processor();
+  const Pose T = test::T_design_camera();
+  const auto held = run(vision, frame_at(T, 7));
+  const auto state = vision.align(*held, T);
+  ASSERT_TRUE(state->is_tracked());
+  EXPECT_EQ(state->frame->index, 7);
+  EXPECT_EQ(state->alignment, held->alignment + 1);
+  ASSERT_EQ(state->scan_design.size(), state->scan.size());
+  ASSERT_EQ(state->deviations.distance_m.size(), state->scan.size());
+  ASSERT_EQ(state->classes.size(), state->scan.size());
+  ASSERT_EQ(state->parts.size(), test::prepared_bracket()->model.parts.size());
+  for (std::size_t i = 0; i < state->scan.size(); i += 97) {
+    const Eigen::Vector3f moved = state->T_design_camera.cast<float>() * state->scan.points[i];
+    EXPECT_LT((moved - state->scan_design.points[i]).norm(), 1e-5F);
+  }
+  for (const PartDeviation& part : state->parts) {
+    EXPECT_GT(part.points, 50U);
+    EXPECT_LT(std::abs(part.mean_m), 0.001);  // nothing is wrong with this bracket
+  }
+}
+
+TEST(FrameProcessor, SaysLostWhenTheSpoolIsGoneAndFindsItAgainWhereItWas) {
+  FrameProcessor vision = processor();
+  const Pose T = test::T_design_camera();
+  const auto held = run(vision, frame_at(T, 0));
+  ASSERT_TRUE(vision.align(*held, T)->is_tracked());
+  const auto lost = run(vision, test::empty_frame(T, 1));
+  EXPECT_EQ(lost->quality, TrackQuality::kLost);
+  EXPECT_FALSE(lost->hint.empty());
+  EXPECT_TRUE(lost->scan_design.empty()) << "nothing is measured at a pose that is not believed";
+  expect_pose(lost->T_design_camera, T);  // the last believed one
+  const auto back = run(vision, frame_at(T, 2));
+  EXPECT_EQ(back->quality, TrackQuality::kGood);
+}
+
+TEST(FrameProcessor, RefusesAnAlignmentThatTheFrameContradicts) {
+  FrameProcessor vision = processor();
+  const Pose T = test::T_design_camera();
+  const auto held = run(vision, frame_at(T, 0));
+  Pose wrong = T;
+  wrong.translation() += Eigen::Vector3d(0.3, 0.3, 0.25);  // half a metre off, in the air
+  const auto state = vision.align(*held, wrong);
+  EXPECT_EQ(state->quality, TrackQuality::kUnaligned);
+  EXPECT_NE(state->hint.find("pick it again"), std::string::npos);
+  const auto next = run(vision, frame_at(T, 1));
+  EXPECT_EQ(next->quality, TrackQuality::kUnaligned);
+  EXPECT_EQ(next->hint, state->hint) << "the reason stays on the screen";
+}
+
+TEST(FrameProcessor, CarriesPicksOnToWhereTheCameraWentMeanwhile) {
+  FrameProcessor vision = processor();
+  const Pose first = test::T_design_camera();
+  const auto held = run(vision, frame_at(first, 0));
+  vision.hold(held);
+  Pose last = first;
+  for (int i = 1; i <= 12; ++i) {  // 0.1 m and 7 degrees in all: out of reach of one step
+    last = test::T_design_camera(0.01 * i, 0.004 * i);
+    static_cast<void>(run(vision, frame_at(last, i)));
+  }
+  ASSERT_TRUE(vision.align(*held, off_by_picks(first))->is_tracked());
+  const auto now = run(vision, frame_at(last, 13));
+  ASSERT_EQ(now->quality, TrackQuality::kGood);
+  expect_pose(now->T_design_camera, last);
+}
+
+TEST(FrameProcessor, RefusesAFrameOfAnotherSize) {
+  FrameProcessor vision = processor();
+  auto frame = std::make_shared<DepthFrame>();
+  frame->index = 4;
+  frame->width = 2;
+  frame->height = 2;
+  frame->depth.assign(4, 1000);
+  const auto state = vision.process(frame);
+  ASSERT_FALSE(state.has_value());
+  EXPECT_EQ(state.error().code, ErrorCode::kBadInput);
+  EXPECT_NE(state.error().message.find("frame 4 is 2x2 and the camera 160x120"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace spool

@@ -1,0 +1,83 @@
+// Claims about where things stand, on every size of screen.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ui/layout.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace spool::ui {
+namespace {
+
+struct ScreenSize {
+  std::string name;
+  double width, height, dots_per_inch;
+};
+
+const std::vector<ScreenSize>& sizes() {
+  static const std::vector<ScreenSize> table{
+      {"tablet", 1280, 800, 150},        {"panel", 800, 480, 133},    {"portrait", 1080, 1920, 220},
+      {"large tablet", 2560, 1600, 280}, {"desktop", 1920, 1080, 96}, {"phone", 2340, 1080, 400},
+  };
+  return table;
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+TEST(Layout, EveryTargetIsAThumbWideOnEveryScreen) {
+  for (const ScreenSize& size : sizes()) {
+    SCOPED_TRACE(size.name);
+    const double dp = pixels_per_dp(size.dots_per_inch);
+    const Layout layout = lay_out(size.width, size.height, dp);
+    for (const Rect& action : layout.actions) {
+      EXPECT_GE(action.width, kTargetDp * dp - 0.5);
+      EXPECT_GE(action.height, kTargetDp * dp - 0.5);
+    }
+    // 12 mm of glass.
+    EXPECT_GE(layout.actions[0].height / size.dots_per_inch * 25.4, 11.9);
+  }
+}
+
+TEST(Layout, NothingOverlapsAndNothingLeavesTheScreen) {
+  for (const ScreenSize& size : sizes()) {
+    SCOPED_TRACE(size.name);
+    const Layout layout = lay_out(size.width, size.height, pixels_per_dp(size.dots_per_inch));
+    std::vector<Rect> all(std::begin(layout.actions), std::end(layout.actions));
+    all.insert(all.end(), {layout.strip, layout.card, layout.design_view, layout.scan_view});
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      EXPECT_GE(all[i].x, 0);
+      EXPECT_GE(all[i].y, 0);
+      EXPECT_LE(all[i].x + all[i].width, size.width + 0.01);
+      EXPECT_LE(all[i].y + all[i].height, size.height + 0.01);
+      for (std::size_t j = i + 1; j < all.size(); ++j) {
+        EXPECT_FALSE(overlap(all[i], all[j])) << i << " and " << j;
+      }
+    }
+  }
+}
+
+TEST(Layout, PutsTheTwoPicturesBesideEachOtherOrAboveByTheScreensShape) {
+  const Layout wide = lay_out(1280, 800, 1);
+  EXPECT_EQ(wide.design_view.y, wide.scan_view.y);
+  const Layout tall = lay_out(800, 1280, 1);
+  EXPECT_EQ(tall.design_view.x, tall.scan_view.x);
+  EXPECT_LT(tall.design_view.y, tall.scan_view.y);
+}
+
+TEST(Layout, GivesTheSteelMostOfTheScreen) {
+  for (const ScreenSize& size : sizes()) {
+    SCOPED_TRACE(size.name);
+    const Layout layout = lay_out(size.width, size.height, pixels_per_dp(size.dots_per_inch));
+    double covered =
+        layout.strip.width * layout.strip.height + layout.card.width * layout.card.height;
+    for (const Rect& action : layout.actions) covered += action.width * action.height;
+    EXPECT_LT(covered, 0.45 * size.width * size.height);
+  }
+}
+
+}  // namespace
+}  // namespace spool::ui
