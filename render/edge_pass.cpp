@@ -64,7 +64,7 @@ void EdgePass::draw(const Offscreen& target, const View& view, int lit_part, flo
   // The lit part shows through what stands before it, outline and all; of other parts only the
   // creases, fainter: an outline behind something is the outline of something unseen.
   const auto is_lit = [lit_part](const MeshEdge& edge) {
-    return lit_part >= 0 && edge.part == lit_part;
+    return lit_part >= 0 && (edge.part == lit_part || edge.other_part == lit_part);
   };
   const auto not_lit = std::partition(outline_.begin(), outline_.end(), is_lit);
   const auto seen_through =

@@ -165,14 +165,20 @@ void build_edges(const TriangleMesh& mesh, const std::vector<Face>& faces, MeshG
       ++end;
     }
     const Face& face_a = faces[first.face];
-    MeshEdge edge{mesh.vertices[first.low], mesh.vertices[first.high], face_a.normal, face_a.normal,
+    MeshEdge edge{mesh.vertices[first.low],
+                  mesh.vertices[first.high],
+                  face_a.normal,
+                  face_a.normal,
+                  face_a.part,
                   face_a.part};
     if (end - begin != 2) {
+      edge.other_part = faces[sides[end - 1].face].part;
       out.creases.push_back(edge);
       continue;
     }
     const Side& second = sides[begin + 1];
     const Face& face_b = faces[second.face];
+    edge.other_part = face_b.part;
     // Neighbours wound alike run along their edge in opposite directions; if not, one is inside
     // out.
     edge.normal_b = first.rising != second.rising ? face_b.normal : Eigen::Vector3f(-face_b.normal);

@@ -27,6 +27,7 @@ struct MeshEdge {
       normal_a;  // of the two triangles, turned the same way; outline where one faces the eye
   Eigen::Vector3f normal_b;  // and the other does not
   std::int32_t part = -1;
+  std::int32_t other_part = -1;  // of the second triangle
 };
 
 struct MeshGeometry {

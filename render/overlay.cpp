@@ -8,10 +8,13 @@
 #include <utility>
 
 #include "render/background_pass.h"
+#include "render/canvas_pass.h"
 #include "render/cloud_pass.h"
 #include "render/depth_shade_pass.h"
 #include "render/edge_pass.h"
 #include "render/gl_status.h"
+#include "render/legend.h"
+#include "render/markers.h"
 #include "render/mesh_pass.h"
 
 namespace spool::render {
@@ -22,7 +25,21 @@ struct OverlayRenderer::Impl {
   DepthShadePass depth_shade;
   MeshPass mesh;
   EdgePass edges;
+  CanvasPass canvas;
   std::vector<Marker> markers;
+
+  Status draw_legend(const Offscreen& target, const OverlayStyle& style) {
+    const auto font = canvas.font(legend_text_px(style.scale));
+    if (!font) return font.error();
+    const LegendContent content{.range_m = style.colour_range_m,
+                                .neutral_m = style.neutral_m,
+                                .tolerance_m = style.tolerance_m,
+                                .units = style.units,
+                                .has_clutter = style.show_clutter && cloud.has_clutter(),
+                                .has_contradicting = cloud.has_contradicting()};
+    return canvas.draw(
+        target, render::draw_legend(content, target.width(), target.height(), style.scale, **font));
+  }
 };
 
 namespace {
@@ -49,6 +66,7 @@ Result<OverlayRenderer> OverlayRenderer::create() {
   make(impl->depth_shade, status);
   make(impl->mesh, status);
   make(impl->edges, status);
+  make(impl->canvas, status);
   if (status) status = gl_status("preparing to draw");
   if (!status) return status.error();
   return OverlayRenderer(std::move(impl));
@@ -92,6 +110,9 @@ Status OverlayRenderer::draw(const Offscreen& target, const View& view, const Ov
     impl_->edges.draw(target, view, style.lit_part, 1.5F * scale,
                       0.5 * style.occlusion_tolerance_m);
   }
+  Status status = impl_->canvas.draw(target, draw_markers(impl_->markers, view, style.scale));
+  if (status && style.show_legend && style.show_cloud) status = impl_->draw_legend(target, style);
+  if (!status) return status;
   return gl_status("drawing the overlay");
 }
 
