@@ -47,6 +47,12 @@ std::string_view spoken(LengthUnit unit) {
   return "metres";
 }
 
+Error unknown_ending(const std::filesystem::path& path) {
+  return {ErrorCode::kBadInput, path.string() +
+                                    ": is no cloud file that is known; give a .ply, .pcd, "
+                                    ".xyz, .txt or .obj"};
+}
+
 // About three digits, without the locale.
 std::string short_number(double value) {
   std::array<char, 32> text{};
@@ -98,15 +104,19 @@ void set_normals(PointCloud& cloud, std::vector<Eigen::Vector3f> normals) {
 bool is_cloud_file(const std::filesystem::path& path) { return format_of(path) != nullptr; }
 
 Result<CloudFile> read_cloud(const std::filesystem::path& path, std::optional<LengthUnit> unit) {
-  const std::string name = path.string();
-  const Format* const format = format_of(path);
-  if (format == nullptr)
-    return Error{ErrorCode::kBadInput,
-                 name + ": is no cloud file that is known; give a .ply, .pcd, .xyz, .txt or .obj"};
+  if (format_of(path) == nullptr) return unknown_ending(path);  // before a large file is read
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
-  if (bytes->empty()) return Error{ErrorCode::kBadInput, name + ": is empty; export it again"};
-  auto raw = format->read(*bytes, name);
+  return read_cloud_bytes(*bytes, path, unit);
+}
+
+Result<CloudFile> read_cloud_bytes(std::string_view bytes, const std::filesystem::path& path,
+                                   std::optional<LengthUnit> unit) {
+  const std::string name = path.string();
+  const Format* const format = format_of(path);
+  if (format == nullptr) return unknown_ending(path);
+  if (bytes.empty()) return Error{ErrorCode::kBadInput, name + ": is empty; export it again"};
+  auto raw = format->read(bytes, name);
   if (!raw) return raw.error();
   if (raw->points.size() > std::numeric_limits<std::uint32_t>::max())
     return Error{ErrorCode::kBadInput, name + ": has more than 4294967295 points; thin it first"};
@@ -122,7 +132,7 @@ Result<CloudFile> read_cloud(const std::filesystem::path& path, std::optional<Le
   const auto decided = decide_unit(file, *raw, name, unit);
   if (!decided) return decided.error();
   file.unit = *decided;
-  file.sha256 = sha256_hex(*bytes);
+  file.sha256 = sha256_hex(bytes);
   set_points(file.cloud, raw->points, file.unit);
   file.cloud.width = raw->width;
   file.cloud.height = raw->height;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "vision/core/length_unit.h"
@@ -29,6 +30,11 @@ struct CloudFile {
 // finite point.
 [[nodiscard]] Result<CloudFile> read_cloud(const std::filesystem::path& path,
                                            std::optional<LengthUnit> unit);
+
+// The same of bytes at hand; `path` gives the ending and the name in messages, and is not opened.
+[[nodiscard]] Result<CloudFile> read_cloud_bytes(std::string_view bytes,
+                                                 const std::filesystem::path& path,
+                                                 std::optional<LengthUnit> unit);
 
 // True where read_cloud() knows the file's ending.
 [[nodiscard]] bool is_cloud_file(const std::filesystem::path& path);

@@ -10,8 +10,11 @@
 
 namespace spool {
 
-Eigen::AlignedBox3d robust_box(std::span<const Eigen::Vector3d> points) {
-  constexpr std::size_t kEnough = 100000;  // of them tell the size as well as all
+namespace {
+
+// x, y and z apart, of so many of the finite points as tell the size as well as all.
+std::array<std::vector<double>, 3> axes_of(std::span<const Eigen::Vector3d> points) {
+  constexpr std::size_t kEnough = 100000;
   const auto finite = static_cast<std::size_t>(
       std::count_if(points.begin(), points.end(),
                     [](const Eigen::Vector3d& point) { return point.allFinite(); }));
@@ -23,18 +26,27 @@ Eigen::AlignedBox3d robust_box(std::span<const Eigen::Vector3d> points) {
     for (std::size_t axis = 0; axis < 3; ++axis)
       values[axis].push_back(point[static_cast<Eigen::Index>(axis)]);
   }
+  return values;
+}
+
+// The value with `rank` smaller ones.
+double ranked(std::vector<double>& values, std::size_t rank) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d robust_box(std::span<const Eigen::Vector3d> points) {
+  auto values = axes_of(points);
   Eigen::AlignedBox3d box;
   const std::size_t n = values[0].size();
   if (n == 0) return box;
   const std::size_t left_out = n / 200;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::vector<double>& all = values[axis];
-    const auto low = all.begin() + static_cast<std::ptrdiff_t>(left_out);
-    const auto high = all.begin() + static_cast<std::ptrdiff_t>(n - 1 - left_out);
-    std::nth_element(all.begin(), low, all.end());
-    box.min()[static_cast<Eigen::Index>(axis)] = *low;
-    std::nth_element(all.begin(), high, all.end());
-    box.max()[static_cast<Eigen::Index>(axis)] = *high;
+    box.min()[static_cast<Eigen::Index>(axis)] = ranked(values[axis], left_out);
+    box.max()[static_cast<Eigen::Index>(axis)] = ranked(values[axis], n - 1 - left_out);
   }
   return box;
 }
@@ -52,8 +64,10 @@ void set_points(PointCloud& cloud, std::span<const Eigen::Vector3d> points, Leng
     if (point.allFinite()) furthest = std::max(furthest, point.cwiseAbs().maxCoeff() * to_metres);
   cloud.origin.setZero();
   if (furthest >= kFloatReach) {
-    const Eigen::Vector3d middle = robust_box(points).center() * to_metres;
-    if (middle.allFinite()) cloud.origin = middle.array().round();
+    auto values = axes_of(points);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      cloud.origin[static_cast<Eigen::Index>(axis)] =
+          std::round(ranked(values[axis], values[axis].size() / 2) * to_metres);
   }
   cloud.points.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -33,7 +33,7 @@ namespace spool {
 inline constexpr double kFloatReach = 256.0;  // m
 
 // Points (file's unit) as metres, those not finite as NaN in all three. Where a coordinate reaches
-// kFloatReach the cloud's origin is the middle of its robust box in whole metres.
+// kFloatReach the cloud's origin is the median of its coordinates in whole metres.
 void set_points(PointCloud& cloud, std::span<const Eigen::Vector3d> points, LengthUnit unit);
 
 }  // namespace spool
