@@ -6,16 +6,17 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include "vision/design/design_builder.h"
+#include "vision/design/polygon.h"
 #include "vision/design/readers.h"
 #include "vision/design/unit_guess.h"
 #include "vision/design/vertex_welding.h"
@@ -36,11 +37,11 @@ Error bad(const DesignFile& file, const std::string& what) {
   return {ErrorCode::kBadInput, file.path.string() + " " + what};
 }
 
-// The triangles of one assimp mesh as a part in the file's units. Assimp's validation has run, but
-// an index is checked again: it costs nothing beside parsing.
-RawPart to_part(const aiMesh& mesh, const std::string& name, std::size_t& dropped) {
+// The triangles of one assimp mesh as a part in the file's units; indices are not believed.
+// Polygons are cut here and not by assimp, whose Debian build aborts the program where its own
+// steps disagree.
+RawPart to_part(const aiMesh& mesh, std::size_t& dropped) {
   RawPart raw;
-  raw.part.name = name;
   raw.vertices.reserve(mesh.mNumVertices);
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     const aiVector3D& p = mesh.mVertices[v];
@@ -48,15 +49,13 @@ RawPart to_part(const aiMesh& mesh, const std::string& name, std::size_t& droppe
                               static_cast<double>(p.z));
   }
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-    const aiFace& face = mesh.mFaces[f];
-    Triangle triangle{};
-    bool good = face.mNumIndices == 3;
-    for (unsigned k = 0; good && k < 3; ++k) {
-      triangle[k] = face.mIndices[k];
-      good = triangle[k] < mesh.mNumVertices && raw.vertices[triangle[k]].allFinite();
-    }
+    const std::span<const std::uint32_t> loop(mesh.mFaces[f].mIndices, mesh.mFaces[f].mNumIndices);
+    const bool good =
+        loop.size() >= 3 && std::all_of(loop.begin(), loop.end(), [&](std::uint32_t v) {
+          return v < raw.vertices.size() && raw.vertices[v].allFinite();
+        });
     if (good) {
-      raw.triangles.push_back(triangle);
+      triangulate_polygon(raw.vertices, loop, raw.triangles);
     } else {
       ++dropped;
     }
@@ -85,7 +84,7 @@ std::vector<RawPart> parts_of(const aiScene& scene, const DesignFile& file, std:
     for (unsigned c = node.mNumChildren; c > 0; --c) open.push_back(node.mChildren[c - 1]);
     RawPart part;
     for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-      merge(part, to_part(*scene.mMeshes[node.mMeshes[m]], "", dropped));
+      merge(part, to_part(*scene.mMeshes[node.mMeshes[m]], dropped));
     }
     if (part.triangles.empty()) continue;
     part.part.name = node.mName.C_Str();
@@ -161,13 +160,9 @@ Result<DesignModel> read_mesh_design(const DesignFile& file) {
   }
   Assimp::Importer importer;
   importer.SetIOHandler(new NoFiles);  // the importer deletes it
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
-                              aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
-                                  aiComponent_COLORS | aiComponent_TEXCOORDS |
-                                  aiComponent_TEXTURES | aiComponent_MATERIALS);
-  const aiScene* scene = importer.ReadFileFromMemory(
-      file.bytes.data(), file.bytes.size(), aiProcess_RemoveComponent | aiProcess_Triangulate,
-      ending.c_str() + 1);
+  constexpr unsigned kAsParsed = 0;    // no step after parsing
+  const aiScene* scene = importer.ReadFileFromMemory(file.bytes.data(), file.bytes.size(),
+                                                     kAsParsed, ending.c_str() + 1);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     return bad(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
   }
@@ -183,7 +178,7 @@ Result<DesignModel> read_mesh_design(const DesignFile& file) {
   DesignModel design;
   design.path = file.path.string();
   if (dropped > 0) {
-    design.warnings.push_back("faces that are no triangles of finite corners are left out: " +
+    design.warnings.push_back("faces without three finite corners are left out: " +
                               std::to_string(dropped));
   }
   if (file.unit) {
