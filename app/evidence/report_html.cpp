@@ -57,8 +57,8 @@ std::string pictures_section(const std::vector<OverlayPicture>& pictures) {
            "need it.</p>\n";
   html +=
       "<p>Measured points over the design. Blue lies inside the design's surface, red outside, "
-      "grey within the "
-      "noise; dim points were not taken for the object.</p>\n";
+      "grey within the noise. Dim points were not taken for the object; those that would hide it "
+      "are left out.</p>\n";
   for (const auto& picture : pictures) {
     const auto png = render::encode_png(picture.image);
     html += "<figure>";
@@ -91,10 +91,11 @@ std::string part_rows(const Part& part, const PartFinding& finding, LengthStyle 
   return html + "<tr class=\"why\"><td colspan=\"9\">" + escaped(finding.reason) + "</td></tr>\n";
 }
 
-// Worst first; among equals the design's order.
+// Worst first; among equal statuses the one that lies furthest off.
 std::vector<PartFinding> by_severity(std::vector<PartFinding> parts) {
   std::stable_sort(parts.begin(), parts.end(), [](const PartFinding& a, const PartFinding& b) {
-    return a.status != b.status && worse(a.status, b.status) == a.status;
+    if (a.status != b.status) return worse(a.status, b.status) == a.status;
+    return a.deviation.p95_abs_m > b.deviation.p95_abs_m;
   });
   return parts;
 }
@@ -124,6 +125,15 @@ std::string findings_section(const Inspection& inspection) {
   return html + "</ul>\n";
 }
 
+std::string other_poses(const Alignment& alignment) {
+  if (alignment.ambiguous)
+    return "yes, " + count_text(alignment.alternatives.size()) +
+           ": which one is right cannot be told from this scan";
+  const bool searched =
+      alignment.method == AlignMethod::kPrincipalAxes || alignment.method == AlignMethod::kFind;
+  return searched ? "none was found" : "not looked for: this one was given";
+}
+
 std::string alignment_section(const InspectionRecord& record) {
   const auto& alignment = record.inspection.alignment;
   const auto style = style_of(record);
@@ -142,10 +152,7 @@ std::string alignment_section(const InspectionRecord& record) {
   }
   for (const auto& weak : alignment.weak_directions)
     html += row("Not held by the scan", escaped(weak.text));
-  html += row("Other poses fit as well",
-              alignment.ambiguous ? "yes, " + count_text(alignment.alternatives.size()) +
-                                        ": which one is right cannot be told from this scan"
-                                  : "none was found");
+  html += row("Other poses fit as well", other_poses(alignment));
   html += row("All points to the design (RMS)",
               escaped(length_text(record.inspection.scan_rms_m, style)) +
                   ": quality of the scan, never a verdict on the spool");
