@@ -4,6 +4,7 @@
 #include "vision/align/icp.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -95,17 +96,32 @@ class Matcher {
   const IcpOptions& options_;
 };
 
-// 1.4826 times the median absolute residual of what has weight: the standard deviation of the clean
-// part.
-double robust_sigma(std::span<const Correspondence> matches) {
-  std::vector<float> sizes;
-  sizes.reserve(matches.size());
-  for (const Correspondence& m : matches)
-    if (m.weight > 0) sizes.push_back(std::abs(m.residual));
-  if (sizes.empty()) return 0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return 1.4826 * double{*middle};
+// The standard deviation (m) of the residuals that belong to the surface: 1.4826 times the median
+// of their sizes, after what lies evenly over the gate is taken off. How much that is, the outer
+// half of the gate says. A third of the gate where nothing stands out in its middle.
+double residual_scale(std::span<const Correspondence> matches, double gate) {
+  constexpr std::size_t kBins = 128;
+  std::array<double, kBins> bins{};
+  for (const Correspondence& m : matches) {
+    if (m.weight <= 0) continue;
+    const double share = std::abs(double{m.residual}) / gate;
+    bins[std::min(kBins - 1, static_cast<std::size_t>(share * kBins))] += 1;
+  }
+  const auto middle = bins.begin() + kBins / 2;
+  const double inner = std::accumulate(bins.begin(), middle, 0.0);
+  const double outer = std::accumulate(middle, bins.end(), 0.0);
+  const double own = inner - outer;
+  if (own < 0.1 * inner + 6) return gate / 3;
+  double sum = 0;
+  for (std::size_t i = 0; i < kBins / 2; ++i) {
+    const double more = bins[i] - 2 * outer / kBins;
+    if (sum + more >= own / 2) {
+      const double within = more > 0 ? (own / 2 - sum) / more : 0.0;
+      return 1.4826 * gate * (static_cast<double>(i) + within) / kBins;
+    }
+    sum += more;
+  }
+  return gate / 3;
 }
 
 void trim(std::vector<Correspondence>& matches, double fraction) {
@@ -199,14 +215,14 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
   IcpResult result;
   result.T_design_scan = T_guess;
   Pose& T = result.T_design_scan;
-  const double last_gate = 3 * options.noise_m;
-  double gate =
-      options.max_iterations == 0 ? last_gate : std::max(options.start_distance_m, last_gate);
+  const double least_gate = 3 * options.noise_m;
+  bool last = options.max_iterations == 0 || options.start_distance_m <= least_gate;
+  double gate = last ? least_gate : options.start_distance_m;
   // Twice the gate: until the pose has moved by a gate, nothing further can come into it.
   double reach = 2 * gate;
   Pose T_near = T;
   Indices near = near_points(scan, surface, T, static_cast<float>(reach), watch);
-  Indices chosen = gate > last_gate ? strewn(near, kCoarsePoints) : near;
+  Indices chosen = last ? near : strewn(near, kCoarsePoints);
 
   const Matcher matcher(scan, surface, options);
   std::vector<Correspondence> matches;
@@ -216,7 +232,7 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
   while (!watch.cancelled()) {
     matcher.match(chosen, T, gate, watch, matches);
     if (watch.cancelled()) break;
-    const double sigma = robust_sigma(matches);
+    const double settled_gate = std::max(least_gate, 3 * residual_scale(matches, gate));
     trim(matches, options.trim_fraction);
     weigh(matches, gate);
     equations = build_normal_equations(matches);
@@ -228,32 +244,34 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
     ++at_level;
     watch.report("align", static_cast<double>(result.iterations) / options.max_iterations);
 
-    const bool last = gate <= last_gate;
     if (last && step.head<3>().norm() < options.stop_translation_m &&
         step.tail<3>().norm() < options.stop_rotation_rad) {
       result.converged = true;
       break;
     }
-    // Settled at this gate: close it as far as the residuals' own scale says, in bounded steps.
+    // Settled at this gate: close it to where the residuals' own scale wants it, in bounded steps.
     if (!last && (displacement(equations, step) < 0.05 * gate || at_level >= 8)) {
-      gate = std::max(last_gate, std::clamp(4.685 * sigma, 0.4 * gate, 0.7 * gate));
+      last = settled_gate > 0.7 * gate;
+      gate = std::max(least_gate,
+                      last ? std::min(gate, settled_gate) : std::max(settled_gate, 0.5 * gate));
+      last = last || gate <= least_gate;
       at_level = 0;
-      if (gate <= last_gate) chosen = near;
+      if (last) chosen = near;
     }
     const Pose since = T * T_near.inverse();
     const double moved_m =
         (since * equations.centre - equations.centre).norm() +
         pose_size(since).rotation_rad * std::sqrt(equations.mass.bottomRightCorner<3, 3>().trace());
     if (moved_m > reach - gate) {
-      reach = gate <= last_gate ? 4 * gate : 2 * gate;
+      reach = last ? 4 * gate : 2 * gate;
       T_near = T;
       near = near_points(scan, surface, T, static_cast<float>(reach), watch);
-      chosen = gate > last_gate ? strewn(near, kCoarsePoints) : near;
+      chosen = last ? near : strewn(near, kCoarsePoints);
     }
   }
-  if (gate > last_gate && !watch.cancelled()) {
+  if (!last && !watch.cancelled()) {
     // Out of iterations with the gate open: the figures still have to be those of the last gate.
-    gate = last_gate;
+    gate = std::max(least_gate, std::min(gate, 3 * residual_scale(matches, gate)));
     matcher.match(near, T, gate, watch, matches);
     weigh(matches, gate);
     equations = build_normal_equations(matches);

@@ -19,14 +19,14 @@
 namespace spool {
 
 struct IcpOptions {
-  int max_iterations = 60;             // 0: only measures at the guess
-  double start_distance_m = 0.05;      // m; correspondences are looked for this far at first…
-  double noise_m = 0.003;              // m; …and in the end this times 3
+  int max_iterations = 60;         // 0: only measures at the guess
+  double start_distance_m = 0.05;  // m; correspondences are looked for this far at first…
+  double noise_m = 0.003;          // m; …and in the end 3 times this or the residuals' own scale
   double max_normal_angle_rad = 1.05;  // rad; scan and design normal may differ by this where known
   bool oriented_normals = true;        // false: only the line of a normal counts, not its sign
   double trim_fraction = 0.0;          // share of the worst correspondences dropped each round
-  double stop_translation_m = 1e-6;    // m; both steps smaller: converged
-  double stop_rotation_rad = 1e-6;     // rad
+  double stop_translation_m = 1e-5;    // m; both steps smaller: converged
+  double stop_rotation_rad = 1e-5;     // rad
 };
 
 // What makes no sense in `options`, kUsage; nothing where all is well.
@@ -48,9 +48,9 @@ struct IcpResult {
 
 // Refines T_guess so that the scan's points (m, scan frame; normals optional) lie on the surface.
 // Never estimates scale. Point-to-plane (Chen & Medioni 1992) with Tukey's biweight as wide as the
-// gate, which follows the residuals' own scale (MAD) down to 3 noise_m; weak directions keep the
-// guess (Zhang & Singh 2016). A cancelled run returns what it has, not converged. Deterministic on
-// any number of threads.
+// gate, which follows the residuals' own scale (MAD, what lies evenly over the gate taken off) down
+// to 3 noise_m at least; weak directions keep the guess (Zhang & Singh 2016). A cancelled run
+// returns what it has, not converged. Deterministic on any number of threads.
 [[nodiscard]] IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface,
                                    const Pose& T_guess, const IcpOptions& options = {},
                                    const Watch& watch = {});
