@@ -116,9 +116,9 @@ float FontAtlas::width(std::string_view utf8) const {
   return sum;
 }
 
-std::vector<char32_t> code_points(std::string_view utf8) {
+std::u32string code_points(std::string_view utf8) {
   constexpr char32_t kReplacement = 0xFFFD;
-  std::vector<char32_t> codes;
+  std::u32string codes;
   for (std::size_t i = 0; i < utf8.size();) {
     const auto lead = static_cast<unsigned char>(utf8[i++]);
     const std::size_t more = lead < 0x80    ? 0

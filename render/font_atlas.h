@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -47,6 +48,6 @@ class FontAtlas {
 };
 
 // The code points of UTF-8 text; U+FFFD for bytes that are none.
-[[nodiscard]] std::vector<char32_t> code_points(std::string_view utf8);
+[[nodiscard]] std::u32string code_points(std::string_view utf8);
 
 }  // namespace spool::render

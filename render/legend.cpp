@@ -246,7 +246,7 @@ Canvas draw_legend(const LegendContent& content, int width, int height, double s
   float y = pad + 0.5F * line;
   pen.text(title, pad, y, kText);
   y += line;
-  pen.text("outside", number_left, y + 0.25F * cap, kDimText);
+  pen.text("outside", number_left, y, kDimText);
   y += 0.5F * line + cap;
   const float middle = std::round(y + half_bar);
   const float bar_middle = bar_left + 0.5F * bar_width;
@@ -275,7 +275,7 @@ Canvas draw_legend(const LegendContent& content, int width, int height, double s
              n.is_tolerance ? kText : kDimText);
   }
   y = middle + half_bar + cap + 0.5F * line;
-  pen.text("inside", number_left, y - 0.25F * cap, kDimText);
+  pen.text("inside", number_left, y, kDimText);
   y += line + cap;
   for (const Row& row : rows) {
     draw_key(pen, row.key, pad, y);
