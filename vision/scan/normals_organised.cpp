@@ -1,6 +1,7 @@
 // Normals of an organised cloud: the plane through each pixel's window, fitted in inverse depth.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -42,7 +43,10 @@ Float4 where(Mask4 mask, Float4 yes, Float4 no) {
 Float4 kept(Mask4 mask, Float4 x) {
   return reinterpret_cast<Float4>(mask & reinterpret_cast<Mask4>(x));
 }
-Float4 magnitude(Float4 x) { return where(x < 0.0F, -x, x); }
+Float4 magnitude(Float4 x) {
+  constexpr std::int32_t kAllButSign = 0x7FFFFFFF;
+  return kept(Mask4{kAllButSign, kAllButSign, kAllButSign, kAllButSign}, x);
+}
 
 // Inverse depth near a pixel: at_centre + per_u du + per_v dv.
 struct Slope {
@@ -51,12 +55,13 @@ struct Slope {
 };
 
 // Least squares over the window of `radius` and `stride` about four pixels, of the readings within
-// `gate` of the `expected` plane. `row` points at the first of the four in an image `pitch` wide.
-Slope fit(const float* centre, std::size_t pitch, std::size_t radius, std::size_t stride,
-          const Slope& expected, Float4 gate) {
+// `gate` of the `expected` plane. `centre` points at the first of the four in an image `pitch`
+// wide.
+template <std::size_t radius, std::size_t stride>
+Slope fit(const float* centre, std::size_t pitch, const Slope& expected, Float4 gate) {
   Float4 n{}, su{}, sv{}, suu{}, suv{}, svv{}, sd{}, sud{}, svd{};
-  const auto reach = static_cast<std::ptrdiff_t>(radius);
-  const auto step = static_cast<std::ptrdiff_t>(stride);
+  constexpr auto reach = static_cast<std::ptrdiff_t>(radius);
+  constexpr auto step = static_cast<std::ptrdiff_t>(stride);
   for (std::ptrdiff_t dv = -reach; dv <= reach; dv += step) {
     const float* const row = centre + dv * static_cast<std::ptrdiff_t>(pitch);
     const auto y = static_cast<float>(dv);
@@ -149,8 +154,8 @@ void estimate_organised_normals(PointCloud& cloud, const Camera& camera, const N
         // be.
         const Float4 slope_gate = kept(seen, value) * steepest_per_px;
         const Slope level{value, {}, {}, seen};
-        Slope near = fit(centre, inverse.pitch, kNear, kNear, level,
-                         noise_gate + slope_gate * (1.4142F * kNear));
+        Slope near = fit<kNear, kNear>(centre, inverse.pitch, level,
+                                       noise_gate + slope_gate * (1.4142F * kNear));
         near.at_centre = where(near.valid, near.at_centre, value);
         near.per_u = kept(near.valid, near.per_u);
         near.per_v = kept(near.valid, near.per_v);
@@ -161,15 +166,23 @@ void estimate_organised_normals(PointCloud& cloud, const Camera& camera, const N
                               (static_cast<float>(kSigmas) * kLateralPx);
         const Float4 gate =
             noise_gate + where(near.valid, across, slope_gate * (1.4142F * kRadius));
-        const Slope plane = fit(centre, inverse.pitch, kRadius, kStride, near, gate);
+        const Slope plane = fit<kRadius, kStride>(centre, inverse.pitch, near, gate);
         const Mask4 good = plane.valid & seen;
-        for (std::size_t lane = 0; lane < kLanes && u + lane < width; ++lane) {
-          if (!good[lane]) continue;
-          const float to_cx = cx - static_cast<float>(u + lane), to_cy = cy - static_cast<float>(v);
-          const float a = plane.per_u[lane], b = plane.per_v[lane];
-          const Eigen::Vector3f away(a * fx, b * fy, plane.at_centre[lane] + a * to_cx + b * to_cy);
-          normals[v * width + u + lane] = -away.normalized();
-        }
+        // The plane A x + B y + C z = 1 has its normal away from the camera: turned about.
+        const auto first = static_cast<float>(u);
+        const Float4 to_cx = cx - Float4{first, first + 1, first + 2, first + 3};
+        const Float4 x = -plane.per_u * fx;
+        const Float4 y = -plane.per_v * fy;
+        const Float4 z =
+            -plane.at_centre - plane.per_u * to_cx - plane.per_v * (cy - static_cast<float>(v));
+        const Float4 squared = where(good, x * x + y * y + z * z, all(1.0F));
+        const Float4 length{std::sqrt(squared[0]), std::sqrt(squared[1]), std::sqrt(squared[2]),
+                            std::sqrt(squared[3])};
+        const Float4 nx = kept(good, x / length);
+        const Float4 ny = kept(good, y / length);
+        const Float4 nz = kept(good, z / length);
+        for (std::size_t lane = 0; lane < std::min(kLanes, width - u); ++lane)
+          normals[v * width + u + lane] = {nx[lane], ny[lane], nz[lane]};
       }
   });
   cloud.normals = std::move(normals);
