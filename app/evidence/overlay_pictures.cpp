@@ -14,10 +14,13 @@
 namespace spool::evidence {
 namespace {
 
-// The same place and direction with the picture cut to the design: a box fitted whole leaves much
-// of it empty.
+constexpr double kLegend_px = 156;  // the strip at the left that the legend takes at scale 1
+
+// The same place and direction with the picture cut to the design, beside the legend: a box fitted
+// whole leaves much of it empty.
 render::View cut_to_design(render::View view, const DesignModel& model) {
-  constexpr double kFill = 0.86;  // of the picture; the legend has its strip beside
+  constexpr double kFill =
+      0.88;  // of the room there is; the design's surroundings help to place it
   Eigen::AlignedBox2d extent;
   const auto add = [&](const Eigen::Vector3f& point) {
     const auto at = render::project(view, point.cast<double>());
@@ -28,20 +31,22 @@ render::View cut_to_design(render::View view, const DesignModel& model) {
     if (point.allFinite()) add(point);
   if (extent.isEmpty() || extent.sizes().minCoeff() < 1) return view;
   auto& camera = view.camera;
-  const double zoom =
-      kFill * std::min(camera.width / extent.sizes().x(), camera.height / extent.sizes().y());
+  const double left = camera.width > 4 * kLegend_px ? kLegend_px : 0;
+  const Eigen::Vector2d room(camera.width - left, camera.height);
+  const Eigen::Vector2d middle(left + 0.5 * (room.x() - 1), 0.5 * (room.y() - 1));
+  const double zoom = kFill * room.cwiseQuotient(extent.sizes()).minCoeff();
   camera.fx *= zoom;
   camera.fy *= zoom;
-  camera.cx = 0.5 * (camera.width - 1) + zoom * (camera.cx - extent.center().x());
-  camera.cy = 0.5 * (camera.height - 1) + zoom * (camera.cy - extent.center().y());
+  camera.cx = middle.x() + zoom * (camera.cx - extent.center().x());
+  camera.cy = middle.y() + zoom * (camera.cy - extent.center().y());
   return view;
 }
 
 render::OverlayStyle style_of(const InspectionRecord& record) {
   render::OverlayStyle style;
   // The grey band is as wide as a point's own uncertainty; the ends of the colours lie beyond the
-  // noise.
-  if (record.noise_m > 0) style.neutral_m = record.noise_m;
+  // noise. In whole tenths of a millimetre, as the legend says it.
+  if (record.noise_m > 0) style.neutral_m = std::ceil(1e4 * record.noise_m) / 1e4;
   style.colour_range_m = std::max(style.colour_range_m, 3 * style.neutral_m);
   style.units =
       record.feet_inches ? render::LengthDisplay::kFeetInch : render::LengthDisplay::kMillimetre;
