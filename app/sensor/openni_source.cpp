@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "app/sensor/oni_check.h"
@@ -69,25 +70,25 @@ class OpenniSource final : public DepthSource {
                    std::to_string(version.minor) + "." + std::to_string(version.maintenance) + "." +
                    std::to_string(version.build);
     is_open_ = true;
-    return {};
+    return is_file_ ? await_first() : Status();
   }
 
   Result<SourceOutput> next(milliseconds timeout) override {
     const auto deadline = Clock::now() + timeout;
     do {
-      while (const auto notice = notices_.next(Clock::time_point())) {
-        if (notice->uri == uri_ && notice->kind == Notices::Kind::kEnded) ended_ = true;
-        if (notice->uri == uri_ && notice->kind == Notices::Kind::kDisconnected && is_open_) {
-          close();  // the frames are copies; stream and device have to go before it can come back
-          return SourceOutput{SourceEvent::kUnplugged, nullptr};
-        }
+      if (is_open_ && take_notices()) {
+        close();  // the frames are copies; stream and device have to go before it can come back
+        return SourceOutput{SourceEvent::kUnplugged, nullptr};
       }
       if (!is_open_) return wait_for_return(deadline);
       if (!waiting_ && !read(std::min(deadline, Clock::now() + kSlice))) {
         if (failure_) return *failure_;
         if (ended_ && is_file_ && count_ == 0)
           return refuse("holds no depth frame that OpenNI2 can play").error();
-        if (ended_) return SourceOutput{SourceEvent::kEnd, nullptr};
+        if (ended_) {
+          stream_.stop();  // else the file's thread goes on asking for the next frame at full speed
+          return SourceOutput{SourceEvent::kEnd, nullptr};
+        }
         continue;
       }
       if (waiting_ && is_file_ && waiting_->index < first_frame_) waiting_.reset();
@@ -108,11 +109,38 @@ class OpenniSource final : public DepthSource {
 
   void close() {
     is_open_ = false;
-    if (stream_.isValid()) {
-      stream_.stop();
-      stream_.destroy();
-    }
+    if (stream_.isValid()) stream_.stop();
+    // A file's own thread walks its list of streams without a lock, at the end of the file without
+    // a pause: destroying a stream meanwhile crashes it. With no stream started it looks at the
+    // list for an instant every 10 ms only, so it is given the time to get there. (Closing the
+    // device first would end the thread, but frees before that what the thread still hands its
+    // frame to.)
+    if (is_file_ && device_.isValid()) std::this_thread::sleep_for(milliseconds(50));
+    if (stream_.isValid()) stream_.destroy();
     if (device_.isValid()) device_.close();
+  }
+
+  // A file's thread sets "running" when it starts: closed before that, it would run on and be
+  // cancelled in the middle after 3 s. So a file counts as open once its thread has shown the first
+  // frame or the end.
+  Status await_first() {
+    const auto deadline = Clock::now() + std::chrono::seconds(10);
+    while (!waiting_ && !ended_ && Clock::now() < deadline) {
+      take_notices();
+      if (!read(Clock::now() + kSlice) && failure_) return *failure_;
+    }
+    return waiting_ || ended_ ? Status() : refuse("does not begin to play");
+  }
+
+  // Reads what OpenNI2 called out; true where this device was unplugged.
+  bool take_notices() {
+    bool unplugged = false;
+    while (const auto notice = notices_.next(Clock::time_point())) {
+      if (notice->uri != uri_) continue;
+      ended_ = ended_ || notice->kind == Notices::Kind::kEnded;
+      unplugged = unplugged || notice->kind == Notices::Kind::kDisconnected;
+    }
+    return unplugged;
   }
 
   void set_up_playback() {
@@ -245,13 +273,30 @@ OpenedSource open_openni_device(const std::string& uri) {
 }
 
 OpenedSource open_simulated(const std::string& scene) {
-  const std::string uri = kSimulatorScheme + (scene.empty() ? scene : fs::absolute(scene).string());
+  const std::string path = fs::absolute(scene.empty() ? SPOOL_SAMPLE_SCENE : scene).string();
+  const std::string uri = kSimulatorScheme + path;
   if (uri.size() >= ONI_MAX_STR)
     return Error{ErrorCode::kBadInput,
                  scene + ": the path is too long for OpenNI2; use a shorter one"};
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored))
+    return Error{ErrorCode::kBadInput, path + ": is no scene that can be read; check the path"};
   auto lease = Lease::take(uri);
   if (!lease) return lease.error();
-  return opened("simulated:" + scene, uri, *std::move(lease), false, {});
+  auto source = opened("simulated:" + path, uri, *std::move(lease), false, {});
+  if (source) return source;
+  // The plug-in's own sentence names a file; without it the plug-in itself is missing.
+  const std::string& says = source.error().message;
+  const std::size_t quoted = says.find('(');
+  if (quoted != says.npos && says.find(": ", quoted) != says.npos &&
+      says.find("DeviceOpen", quoted) > says.find(": ", quoted))
+    return Error{ErrorCode::kBadInput,
+                 says.substr(quoted + 1, says.find(" DeviceOpen") - quoted - 1)};
+  return Error{
+      ErrorCode::kNoDevice,
+      "simulated:" + path +
+          ": does not start; libSpoolSim.so.0 has to lie in openni2/OpenNI2/Drivers beside "
+          "the programs"};
 }
 
 OpenedSource open_oni_unchecked(const std::string& path, const SourceOptions& options) {

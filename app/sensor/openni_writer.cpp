@@ -3,8 +3,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "app/sensor/openni.h"
@@ -32,7 +36,8 @@ class RelayWriter final : public OniWriter {
               "; libSpoolSim.so.0 has to lie in openni2/OpenNI2/Drivers beside the programs"};
     if (recorder_.create(path_.c_str()) != openni::STATUS_OK ||
         recorder_.attach(stream_, false) != openni::STATUS_OK ||
-        stream_.start() != openni::STATUS_OK || recorder_.start() != openni::STATUS_OK)
+        stream_.start() != openni::STATUS_OK || recorder_.start() != openni::STATUS_OK ||
+        !wait_until_recording())
       return Error{ErrorCode::kIo, path_ + ": cannot be written" + library_says() +
                                        "; free space or choose another folder"};
     return {};
@@ -70,6 +75,22 @@ class RelayWriter final : public OniWriter {
   }
 
  private:
+  // The recorder starts on a thread of its own and drops, without a word, what comes before. It
+  // writes a header then: once that has come to rest, frames are taken. False where nothing is
+  // written.
+  bool wait_until_recording() const {
+    using std::chrono::milliseconds;
+    std::uintmax_t size = 0;
+    std::error_code ignored;
+    for (int quiet = 0, tries = 0; quiet < 10 && tries < 500; ++tries) {
+      std::this_thread::sleep_for(milliseconds(10));
+      const std::uintmax_t now = std::filesystem::file_size(path_, ignored);
+      quiet = !ignored && now > 0 && now == size ? quiet + 1 : 0;
+      size = ignored ? 0 : now;
+    }
+    return size > 0;
+  }
+
   std::string path_;
   int width_, height_;
   std::unique_ptr<Lease> lease_;  // outlives what follows
