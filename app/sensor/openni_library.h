@@ -39,8 +39,8 @@ class Lease {
 // What OpenNI2 calls out, on threads of its own. Nothing of OpenNI2 may be called from there, so
 // the calls only leave a note here.
 class Notices final : public openni::OpenNI::DeviceConnectedListener,
-                public openni::OpenNI::DeviceDisconnectedListener,
-                public openni::OpenNI::DeviceStateChangedListener {
+                      public openni::OpenNI::DeviceDisconnectedListener,
+                      public openni::OpenNI::DeviceStateChangedListener {
  public:
   enum class Kind { kConnected, kDisconnected, kEnded };
   struct Notice {

@@ -4,15 +4,13 @@
 #include "vision/core/file_digest.h"
 
 #include <array>
-
-#include <sodium.h>
-
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
 #include <system_error>
 #include <vector>
+
+#include <sodium.h>
 
 namespace spool {
 namespace {
