@@ -41,7 +41,7 @@ constexpr std::uint64_t kMaxFileBytes = std::uint64_t{1}
 
 std::string known_endings() {
   std::string text;
-  for (const Reader& reader : kReaders) text += " " + std::string(reader.ending);
+  for (const Reader& reader : kReaders) text.append(" ").append(reader.ending);
   return text;
 }
 
