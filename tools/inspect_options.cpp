@@ -20,6 +20,13 @@ std::string method_text(const InspectOptions& options) {
   return options.pairs.empty() ? "principal-axes" : "three-point";
 }
 
+// What is wrong with a method's name; empty where nothing is (as CLI11 asks its validators).
+std::string wrong_method(const std::string& text) {
+  if (text == "find") return "find is not there yet; use --pairs, --pose or --align principal-axes";
+  return parse_align_method(text) ? ""
+                                  : text + " is no method; use three-point, pose or principal-axes";
+}
+
 bool is_known_standard(const std::string& standard) {
   return standard == "pfi-es3" || standard == "iso-13920-BF";
 }
@@ -42,7 +49,7 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
          "--align", options.align,
          "three-point, pose or principal-axes; by default pose if --pose is given, three-point if "
          "--pairs is, else principal-axes")
-      ->check(CLI::IsMember({"find", "three-point", "pose", "principal-axes"}))
+      ->check(CLI::Validator(wrong_method, ""))
       ->type_name("METHOD");
   app.add_option(
          "--pairs", options.pairs,
@@ -87,8 +94,6 @@ Status check(const InspectOptions& options) {
   if (options.designs.size() != 1)
     return usage("--design is given " + std::to_string(options.designs.size()) +
                  " times; one design is inspected at a time, run once for each");
-  if (options.align == "find")
-    return usage("--align find is not there yet; use --pairs, --pose or --align principal-axes");
   if (!options.pairs.empty() && !options.pose.empty())
     return usage("--pairs and --pose contradict each other; give one of them");
   const std::string method = method_text(options);

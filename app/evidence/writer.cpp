@@ -3,9 +3,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/evidence/writer.h"
 
+#include <cerrno>
+#include <charconv>
 #include <string>
+#include <string_view>
 #include <system_error>
 
+#include <signal.h>
 #include <unistd.h>
 
 #include "app/evidence/points_ply.h"
@@ -16,11 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kStagingPrefix = ".part-";
+
 // A folder beside the files to come, on the same disk; gone with this, whatever happened.
 class Staging {
  public:
   explicit Staging(const fs::path& folder)
-      : path_(folder / (".part-" + std::to_string(::getpid()))) {}
+      : path_(folder / (std::string(kStagingPrefix) + std::to_string(::getpid()))) {}
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
   ~Staging() {
@@ -38,6 +44,23 @@ Error in_folder(Error error, const fs::path& staging, const fs::path& folder) {
   const auto at = error.message.find(staging.string());
   if (at != std::string::npos) error.message.replace(at, staging.string().size(), folder.string());
   return error;
+}
+
+// What a killed run left: the folder's name ends in the number of a process that is no more.
+void remove_abandoned(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> abandoned;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string file = entry.path().filename().string();
+    int process = 0;
+    const bool ours =
+        file.starts_with(kStagingPrefix) &&
+        std::from_chars(file.data() + kStagingPrefix.size(), file.data() + file.size(), process)
+                .ec == std::errc{};
+    if (ours && process > 0 && ::kill(process, 0) != 0 && errno == ESRCH)
+      abandoned.push_back(entry.path());
+  }
+  for (const auto& path : abandoned) fs::remove_all(path, ignored);
 }
 
 bool is_old_picture(const fs::path& path) {
@@ -83,6 +106,7 @@ Status move_into_place(const fs::path& staging, const fs::path& folder,
 Status write_inspection(const fs::path& folder, const InspectionRecord& record,
                         const std::vector<OverlayPicture>& pictures) {
   if (auto status = make_folder(folder); !status) return status;
+  remove_abandoned(folder);
   const Staging staging(folder);
   if (auto status = make_folder(staging.path()); !status)
     return in_folder(status.error(), staging.path(), folder);

@@ -8,6 +8,9 @@
 #include <fstream>
 #include <set>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include "tests/app/evidence/sample_record.h"
@@ -81,6 +84,21 @@ TEST(WriteInspection, KeepsTheEarlierReportWhereAFileCannotBeWritten) {
   EXPECT_EQ(*read_file(folder.path() / "report.json"), *before);
   EXPECT_EQ(files_in(folder.path()),
             (std::set<std::string>{"overlay_1.png", "points.ply", "report.html", "report.json"}));
+}
+
+TEST(WriteInspection, RemovesWhatAKilledRunLeft) {
+  const test::TemporaryFolder folder;
+  const pid_t child = ::fork();  // a process number that is surely no more once it was waited for
+  if (child == 0) ::_exit(0);
+  ::waitpid(child, nullptr, 0);
+  const fs::path left = folder.path() / (".part-" + std::to_string(child));
+  const fs::path busy = folder.path() / (".part-" + std::to_string(::getppid()));
+  fs::create_directory(left);
+  std::ofstream(left / "points.ply") << "half";
+  fs::create_directory(busy);
+  ASSERT_TRUE(write_inspection(folder.path(), test::sample_record(), {}));
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(busy));  // another run that is still at work
 }
 
 TEST(PointsPly, HoldsEveryPointInOrderInTheFilesOwnFrame) {
