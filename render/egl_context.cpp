@@ -46,8 +46,15 @@ std::string failed_at(const char* call) {
 
 bool has_extension(const char* all, std::string_view wanted) {
   if (all == nullptr) return false;
-  const std::string padded = " " + std::string(all) + " ";
-  return padded.find(" " + std::string(wanted) + " ") != std::string::npos;
+  // Names stand between blanks; one may be the beginning of another.
+  std::string_view names(all);
+  for (std::size_t at = names.find(wanted); at != std::string_view::npos;
+       at = names.find(wanted, at + 1)) {
+    const std::size_t end = at + wanted.size();
+    if ((at == 0 || names[at - 1] == ' ') && (end == names.size() || names[end] == ' '))
+      return true;
+  }
+  return false;
 }
 
 // A current context on `display`, or what failed.
@@ -136,5 +143,7 @@ std::string gl_description() {
   };
   return text(GL_RENDERER) + ", " + text(GL_VERSION);
 }
+
+void finish_drawing() { glFinish(); }
 
 }  // namespace spool::render

@@ -28,4 +28,7 @@ class EglContext {
 // GL_RENDERER and GL_VERSION of the current context, for --version and reports.
 [[nodiscard]] std::string gl_description();
 
+// Waits until everything asked for is drawn: for measuring only.
+void finish_drawing();
+
 }  // namespace spool::render

@@ -111,7 +111,10 @@ TEST_F(ImguiPassGl, DigitsOfEveryFontAreEquallyWide) {
   ASSERT_NE(font, nullptr);
   make_pass();
   const float width = font->GetCharAdvance('0');
-  for (ImWchar digit = '1'; digit <= '9'; ++digit) EXPECT_EQ(font->GetCharAdvance(digit), width);
+  for (ImWchar digit = '0'; digit <= '9'; ++digit) {
+    EXPECT_EQ(font->GetCharAdvance(digit), width);       // where text is measured
+    EXPECT_EQ(font->FindGlyph(digit)->AdvanceX, width);  // and where it is drawn
+  }
 }
 
 TEST_F(ImguiPassGl, LongListsKeepTheirShapeBeyondSixteenBitIndices) {
