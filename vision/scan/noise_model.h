@@ -5,8 +5,8 @@
 
 namespace spool {
 
-// Axial and lateral standard deviations of a PrimeSense-class sensor (Nguyen, Izadi & Lovell 2012), or a
-// constant for a laser-like cloud.
+// Axial and lateral standard deviations of a PrimeSense-class sensor (Nguyen, Izadi & Lovell 2012),
+// or a constant for a laser-like cloud.
 struct NoiseModel {
   double constant_m = 0.0;  // m; over 0: this everywhere (a cloud file), in place of the formula
 

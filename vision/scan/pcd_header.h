@@ -31,8 +31,8 @@ struct PcdHeader {
   std::uint64_t height = 1;
   std::uint64_t point_bytes = 0;  // the fields' together
   std::uint64_t point_words = 0;
-  std::string_view body;       // what follows the header
-  std::size_t lines = 0;       // of the header
+  std::string_view body;  // what follows the header
+  std::size_t lines = 0;  // of the header
 
   [[nodiscard]] const PcdField* find(std::string_view name) const;
 };

@@ -3,12 +3,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace spool {
 
@@ -29,8 +30,10 @@ class PointIndex {
   ~PointIndex();
 
   [[nodiscard]] std::size_t size() const;  // finite points indexed
-  [[nodiscard]] std::optional<Neighbour> nearest(const Eigen::Vector3f& query, float max_distance) const;
-  // Up to k neighbours, nearest first, appended to nothing: `out` is cleared (its memory is reused).
+  [[nodiscard]] std::optional<Neighbour> nearest(const Eigen::Vector3f& query,
+                                                 float max_distance) const;
+  // Up to k neighbours, nearest first, appended to nothing: `out` is cleared (its memory is
+  // reused).
   void nearest_k(const Eigen::Vector3f& query, std::size_t k, float max_distance,
                  std::vector<Neighbour>& out) const;
   // All neighbours within `radius`, in no order.

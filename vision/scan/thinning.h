@@ -8,12 +8,13 @@
 
 namespace spool {
 
-// One point a cell of edge `cell_m`: the mean of its points, their mean normal renormalised, `pixels` the
-// place in the input of the point nearest to the mean. Points that are not finite are dropped. Same input,
-// same output, in a fixed order. cell_m > 0.
+// One point a cell of edge `cell_m`: the mean of its points, their mean normal renormalised,
+// `pixels` the place in the input of the point nearest to the mean. Points that are not finite are
+// dropped. Same input, same output, in a fixed order. cell_m > 0.
 [[nodiscard]] PointCloud thin_to_voxels(const CloudView& cloud, double cell_m);
 
-// The cell edge that leaves about `target` points (never more than 5 % over), or 0 where there are fewer already.
+// The cell edge that leaves about `target` points (never more than 5 % over), or 0 where there are
+// fewer already.
 [[nodiscard]] double voxel_size_for(const CloudView& cloud, std::size_t target);
 
 }  // namespace spool

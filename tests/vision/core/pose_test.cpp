@@ -81,7 +81,8 @@ TEST(RowMajor, MakesAPrintedRotationExactlyOrthonormal) {
   const auto pose = pose_from_row_major(numbers);
   ASSERT_TRUE(pose);
   const Eigen::Matrix3d r = pose->linear();
-  EXPECT_LT((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 1e-14);  // rounding
+  EXPECT_LT((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(),
+            1e-14);  // rounding
   EXPECT_NEAR(r.determinant(), 1.0, 1e-14);
 }
 
