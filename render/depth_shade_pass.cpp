@@ -28,7 +28,7 @@ void DepthShadePass::draw(const Offscreen& target, const View& view, int radius_
   program_.set("u_near_m", static_cast<float>(view.near_m));
   program_.set("u_far_m", static_cast<float>(view.far_m));
   program_.set("u_radius_px", radius_px);
-  program_.set("u_strength", 60.0F);
+  program_.set("u_strength", 86.0F);
   glBindVertexArray(no_attributes_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   target.bind();

@@ -10,7 +10,13 @@ namespace spool::render {
 void set_draw_state(const DrawState& state) {
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
-  glDisable(GL_CULL_FACE);
+  glFrontFace(GL_CCW);
+  glCullFace(GL_BACK);
+  if (state.cull_back_faces) {
+    glEnable(GL_CULL_FACE);
+  } else {
+    glDisable(GL_CULL_FACE);
+  }
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DITHER);  // pictures are the same on every run
   glBlendEquation(GL_FUNC_ADD);

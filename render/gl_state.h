@@ -13,9 +13,10 @@ struct DrawState {
   DepthTest depth_test = DepthTest::kOff;
   bool depth_write = false;
   bool colour_write = true;
+  bool cull_back_faces = false;
 };
 
-// Sets all of it, and scissor, stencil, culling and dithering off. Whatever the blend, a target
+// Sets all of it, and scissor, stencil and dithering off. Whatever the blend, a target
 // that was opaque stays so. GL thread only.
 void set_draw_state(const DrawState& state);
 

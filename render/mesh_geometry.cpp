@@ -145,6 +145,19 @@ struct Side {
   bool rising = false;  // the triangle runs from low to high
 };
 
+// By the divergence theorem: a closed part wound inwards has a negative volume.
+bool has_positive_volumes(const TriangleMesh& mesh, const std::vector<Face>& faces) {
+  std::unordered_map<std::int32_t, double> volume;
+  const Eigen::Vector3d origin = mesh.vertices.front().cast<double>();
+  for (const Face& face : faces) {
+    const auto at = [&](std::size_t c) -> Eigen::Vector3d {
+      return mesh.vertices[face.corner[c]].cast<double>() - origin;
+    };
+    volume[face.part] += at(0).dot(at(1).cross(at(2)));
+  }
+  return std::ranges::all_of(volume, [](const auto& one) { return one.second > 0; });
+}
+
 void build_edges(const TriangleMesh& mesh, const std::vector<Face>& faces, MeshGeometry& out) {
   std::vector<Side> sides;
   sides.reserve(faces.size() * 3);
@@ -158,12 +171,17 @@ void build_edges(const TriangleMesh& mesh, const std::vector<Face>& faces, MeshG
   std::ranges::sort(sides, [](const Side& a, const Side& b) {
     return std::array{a.low, a.high, a.face} < std::array{b.low, b.high, b.face};
   });
+  bool is_closed = !sides.empty();
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
     const Side& first = sides[begin];
     for (end = begin;
          end < sides.size() && sides[end].low == first.low && sides[end].high == first.high;) {
       ++end;
     }
+    const auto rising = std::count_if(sides.begin() + static_cast<std::ptrdiff_t>(begin),
+                                      sides.begin() + static_cast<std::ptrdiff_t>(end),
+                                      [](const Side& side) { return side.rising; });
+    is_closed = is_closed && 2 * static_cast<std::size_t>(rising) == end - begin;
     const Face& face_a = faces[first.face];
     MeshEdge edge{mesh.vertices[first.low],
                   mesh.vertices[first.high],
@@ -189,6 +207,7 @@ void build_edges(const TriangleMesh& mesh, const std::vector<Face>& faces, MeshG
       out.smooth.push_back(edge);
     }
   }
+  out.is_solid = is_closed && has_positive_volumes(mesh, faces);
 }
 
 }  // namespace

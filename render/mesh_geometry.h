@@ -35,6 +35,9 @@ struct MeshGeometry {
   std::vector<std::uint32_t> indices;  // three a triangle
   std::vector<MeshEdge> creases;       // sharp edges, rims, and where two parts meet: always drawn
   std::vector<MeshEdge> smooth;        // may be part of an outline
+  // Every part is a closed solid, wound outwards: its back faces are never seen and need not be
+  // drawn.
+  bool is_solid = false;
 };
 
 // Triangles with equal corners are left out. `triangle_part` is as long as the triangles or empty

@@ -4,7 +4,6 @@
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 precision highp float;
-in vec2 v_at;
 uniform highp sampler2D u_depth;
 uniform float u_near_m;
 uniform float u_far_m;
@@ -12,22 +11,23 @@ uniform int u_radius_px;
 uniform float u_strength;
 out vec4 o_colour;
 
-// log2 of the distance (m) along the optical axis at one pixel.
-float log_distance(ivec2 pixel) {
-  float depth = texelFetch(u_depth, pixel, 0).r;
-  return log2(u_near_m * u_far_m / (u_far_m - depth * (u_far_m - u_near_m)));
+// The inverse of the distance along the optical axis at one pixel, to a scale that is the same everywhere.
+float nearness(ivec2 pixel) {
+  return u_far_m - texelFetch(u_depth, pixel, 0).r * (u_far_m - u_near_m);
 }
 
 void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
-  if (texelFetch(u_depth, here, 0).r == 1.0) discard;
+  float depth = texelFetch(u_depth, here, 0).r;
+  if (depth == 1.0) discard;
+  float mine = u_far_m - depth * (u_far_m - u_near_m);
   ivec2 last = textureSize(u_depth, 0) - 1;
-  float mine = log_distance(here);
-  float nearer = 0.0;
-  nearer += max(0.0, mine - log_distance(min(here + ivec2(u_radius_px, 0), last)));
-  nearer += max(0.0, mine - log_distance(max(here - ivec2(u_radius_px, 0), ivec2(0))));
-  nearer += max(0.0, mine - log_distance(min(here + ivec2(0, u_radius_px), last)));
-  nearer += max(0.0, mine - log_distance(max(here - ivec2(0, u_radius_px), ivec2(0))));
-  float light = exp2(-u_strength * 0.25 * nearer);
+  // By how much nearer each neighbour is, as a share of the distance: 1 - z' / z = 1 - mine / nearness'.
+  vec4 beside = vec4(nearness(min(here + ivec2(u_radius_px, 0), last)),
+                     nearness(max(here - ivec2(u_radius_px, 0), ivec2(0))),
+                     nearness(min(here + ivec2(0, u_radius_px), last)),
+                     nearness(max(here - ivec2(0, u_radius_px), ivec2(0))));
+  vec4 nearer = max(vec4(0.0), 1.0 - mine / beside);
+  float light = exp2(-u_strength * 0.25 * (nearer.x + nearer.y + nearer.z + nearer.w));
   o_colour = vec4(vec3(max(light, 0.35)), 1.0);
 }

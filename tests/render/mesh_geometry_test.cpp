@@ -131,6 +131,28 @@ TEST(MeshGeometry, LeavesOutTrianglesWithoutArea) {
   EXPECT_EQ(g.creases.size(), 12U);
 }
 
+TEST(MeshGeometry, IsSolidOnlyWhereEveryPartIsClosedAndWoundOutwards) {
+  TriangleMesh mesh = cube();
+  EXPECT_TRUE(prepare_mesh(mesh, {}).is_solid);
+  EXPECT_TRUE(prepare_mesh(soup(mesh), {}).is_solid);
+  EXPECT_FALSE(prepare_mesh(tube(8), {}).is_solid);  // open ends
+  // A second cube on the first one's face, as parts meet at a weld; then the same inside out.
+  std::vector<std::int32_t> part(24, 0);
+  for (std::size_t v = 0; v < 8; ++v)
+    mesh.vertices.push_back(mesh.vertices[v] + Eigen::Vector3f(0, 0, 1));
+  for (std::size_t t = 0; t < 12; ++t) {
+    const Triangle& first = mesh.triangles[t];
+    mesh.triangles.push_back({first[0] + 8, first[1] + 8, first[2] + 8});
+    part[12 + t] = 1;
+  }
+  EXPECT_TRUE(prepare_mesh(mesh, part).is_solid);
+  for (std::size_t t = 12; t < 24; ++t) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+  EXPECT_FALSE(prepare_mesh(mesh, part).is_solid);
+  mesh.triangles.pop_back();
+  part.pop_back();
+  EXPECT_FALSE(prepare_mesh(mesh, part).is_solid);  // a triangle missing
+}
+
 TEST(MeshGeometry, NothingGivesNothing) {
   const MeshGeometry g = prepare_mesh({}, {});
   EXPECT_TRUE(g.vertices.empty() && g.indices.empty() && g.creases.empty() && g.smooth.empty());
