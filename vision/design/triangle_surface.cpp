@@ -157,7 +157,8 @@ Result<std::unique_ptr<SurfaceKind>> make_triangle_surface(const TriangleMesh& m
   ScenePointer scene(rtcNewScene(device.get()));
   rtcSetSceneFlags(scene.get(),
                    RTC_SCENE_FLAG_ROBUST);  // no ray slips through between two triangles
-  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_HIGH);
+  // Not high quality: its split triangles are visited once for every piece.
+  rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* positions = static_cast<float*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
