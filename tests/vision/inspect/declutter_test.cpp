@@ -20,8 +20,9 @@ std::vector<Eigen::Vector3f> random_points(std::size_t count, float size, std::m
 }
 
 TEST(Declutter, ClosedFormGivesThePlaneOfTheThesisOnItsOwnTable) {
-  // Sizes of Table 5-4; values of the plane by the audit (DOMAIN 1.6
-  // A13): 10.4 15.1 6.4 8.1 10.7 8.7 5.6.
+  // Sizes of Table 5-4. By hand 10.2 14.9 6.3 7.9 10.6 8.6 5.5, whose mean is a0 = 9.143 as it must
+  // be; the audit's list (DOMAIN 1.6 A13: 10.4 15.1 6.4 8.1 10.7 8.7 5.6) is 0.14 higher
+  // throughout.
   struct Row {
     std::size_t scene, model;
     int k;
@@ -29,8 +30,7 @@ TEST(Declutter, ClosedFormGivesThePlaneOfTheThesisOnItsOwnTable) {
   for (const Row& row :
        {Row{81272, 12061, 10}, Row{145265, 12061, 15}, Row{28009, 12061, 6}, Row{108007, 8864, 8},
         Row{108007, 10841, 11}, Row{108007, 9327, 9}, Row{74569, 8864, 5}})
-    EXPECT_NEAR(k_closed_form(row.scene, row.model), row.k, row.k == 5 ? 1 : 0)
-        << row.scene << " " << row.model;
+    EXPECT_EQ(k_closed_form(row.scene, row.model), row.k) << row.scene << " " << row.model;
   EXPECT_EQ(k_closed_form(93305, 10583), 9);  // the means: a0 = 9.143
   EXPECT_EQ(k_closed_form(1000, 2000), 1);    // the plane is negative there; K is at least one
 }
