@@ -26,6 +26,9 @@ Result<Recorded> pump(DepthSource& source, const RecordOptions& options, const W
   Recorded recorded;
   double first_seconds = 0, silent = 0;
   while (recorded.frames < options.frames && !watch.cancelled()) {
+    watch.report("record", std::max(recorded.seconds / options.seconds,
+                                    static_cast<double>(recorded.frames) /
+                                        static_cast<double>(options.frames)));
     const auto output = source.next(kWait);
     if (!output) return output.error();
     if (output->event == SourceEvent::kEnd) break;
@@ -42,9 +45,6 @@ Result<Recorded> pump(DepthSource& source, const RecordOptions& options, const W
     if (const Status status = write(frame); !status) return status.error();
     ++recorded.frames;
     recorded.seconds = frame.seconds - first_seconds;
-    watch.report("record", std::max(recorded.seconds / options.seconds,
-                                    static_cast<double>(recorded.frames) /
-                                        static_cast<double>(options.frames)));
   }
   return recorded;
 }
