@@ -128,11 +128,13 @@ class RelayStream final : public DepthStream {
 // A camera with one depth sensor.
 class Device final : public oni::driver::DeviceBase {
  public:
-  explicit Device(std::function<DepthStream*()> create) : create_(std::move(create)) {
+  Device(std::string uri, std::function<DepthStream*()> create)
+      : uri_(std::move(uri)), create_(std::move(create)) {
     const std::unique_ptr<DepthStream> probe(create_());
     mode_ = probe->mode();
     info_ = {ONI_SENSOR_DEPTH, 1, &mode_};
   }
+  const std::string& uri() const { return uri_; }
   OniStatus getSensorInfoList(OniSensorInfo** list, int* count) override {
     *list = &info_;
     *count = 1;
@@ -144,6 +146,7 @@ class Device final : public oni::driver::DeviceBase {
   void destroyStream(oni::driver::StreamBase* stream) override { delete stream; }
 
  private:
+  std::string uri_;
   std::function<DepthStream*()> create_;
   OniVideoMode mode_{};
   OniSensorInfo info_{};
@@ -176,15 +179,30 @@ class Driver final : public oni::driver::DriverBase {
   oni::driver::DeviceBase* deviceOpen(const char* uri, const char*) override {
     const std::string text = uri;
     if (const auto relay = relay_camera(text))
-      return new Device([camera = *relay] { return new RelayStream(camera); });
+      return new Device(text, [camera = *relay] { return new RelayStream(camera); });
     const std::scoped_lock lock(mutex_);
     const auto found = cameras_.find(text);
     if (found == cameras_.end()) return nullptr;
-    return new Device([this, text, camera = found->second] {
+    return new Device(text, [this, text, camera = found->second] {
       return new SimulatedStream(camera, [this, text, camera] { plan_unplugging(text, camera); });
     });
   }
-  void deviceClose(oni::driver::DeviceBase* device) override { delete device; }
+  // Closing a camera that is plugged in ends its unplugging, which must not wait for shutdown():
+  // there OpenNI2 holds the lock that its own notices need. Closed while it is unplugged, a camera
+  // comes back.
+  void deviceClose(oni::driver::DeviceBase* device) override {
+    const std::string uri = static_cast<Device*>(device)->uri();
+    delete device;
+    std::jthread ended;  // joined after the lock is free
+    const std::scoped_lock lock(mutex_);
+    const auto camera = cameras_.find(uri);
+    if (camera == cameras_.end() || !camera->second->is_plugged()) return;
+    if (const auto thread = unplugging_.find(uri); thread != unplugging_.end()) {
+      ended = std::move(thread->second);
+      unplugging_.erase(thread);
+      ended.request_stop();
+    }
+  }
   void shutdown() override { unplugging_.clear(); }
 
  private:
@@ -221,12 +239,13 @@ class Driver final : public oni::driver::DriverBase {
     if (camera->simulator.scene().unplug.empty() || unplugging_.count(uri) != 0) return;
     unplugging_[uri] = std::jthread([this, uri, camera](const std::stop_token& stop) {
       const OniDeviceInfo info = info_of(uri);
-      const Clock::time_point start = camera->started();
+      const Clock::time_point start = camera->started(), planned = Clock::now();
       const auto set_plugged = [&](bool plugged) {
         const std::scoped_lock camera_lock(camera->mutex);
         camera->plugged = plugged;
       };
       for (const Unplugging& one : camera->simulator.scene().unplug) {
+        if (start + as_duration(one.at_s + one.for_s) < planned) continue;  // before this opening
         if (!sleep_until(start + as_duration(one.at_s), stop)) return;
         set_plugged(false);
         deviceDisconnected(&info);
