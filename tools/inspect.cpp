@@ -55,7 +55,8 @@ Result<std::vector<evidence::OverlayPicture>> pictures_of(evidence::InspectionRe
   return evidence::draw_overlays(record);
 }
 
-void print_summary(const evidence::InspectionRecord& record, const std::string& out) {
+void print_summary(const evidence::InspectionRecord& record, bool has_pictures,
+                   const std::string& out) {
   const auto& inspection = record.inspection;
   const auto style = record.feet_inches ? LengthStyle::kFeetInch : LengthStyle::kMillimetre;
   std::cout << name(inspection.status) << ": " << inspection.status_reason << "\n";
@@ -73,7 +74,8 @@ void print_summary(const evidence::InspectionRecord& record, const std::string& 
     std::cout << "alignment: " << name(alignment.method) << ", "
               << length_text(alignment.rms_m, style) << " RMS, " << percent_text(alignment.overlap)
               << " of the points on the design\n";
-  std::cout << "written to " << out << ": report.html report.json points.ply overlay_*.png\n";
+  std::cout << "written to " << out << ": report.html report.json points.ply"
+            << (has_pictures ? " overlay_*.png\n" : "\n");
 }
 
 Result<int> inspect(const InspectOptions& options) {
@@ -132,7 +134,7 @@ Result<int> inspect(const InspectOptions& options) {
   progress.report("writing", 0);
   if (auto status = evidence::write_inspection(options.out, record, *pictures); !status)
     return status.error();
-  print_summary(record, options.out);
+  print_summary(record, !pictures->empty(), options.out);
   return exit_code_of(record.inspection);
 }
 

@@ -57,6 +57,8 @@ render::OverlayStyle style_of(const InspectionRecord& record) {
 
 Result<std::vector<OverlayPicture>> draw_overlays(const InspectionRecord& record, int width,
                                                   int height) {
+  // A design drawn where it was not found would be a false statement about the steel.
+  if (!record.inspection.alignment.found) return std::vector<OverlayPicture>{};
   const auto& model = record.design->model;
   const Eigen::AlignedBox3d bounds = model.bounds();
   auto renderer = render::OverlayRenderer::create();

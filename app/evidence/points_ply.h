@@ -14,6 +14,7 @@ namespace spool::evidence {
 // contradicting), part
 // (-1 for clutter), deviation (m; NaN for clutter); one row an input point, in input order. kIo
 // names the file.
+// Where no pose was found the points stand in the scan file's frame, all clutter.
 [[nodiscard]] Status write_points(const std::filesystem::path& path,
                                   const InspectionRecord& record);
 

@@ -49,8 +49,12 @@ std::string warnings(const InspectionRecord& record) {
   return html + "</ul>\n";
 }
 
-std::string pictures_section(const std::vector<OverlayPicture>& pictures) {
+std::string pictures_section(const std::vector<OverlayPicture>& pictures, bool found) {
   std::string html = "<h2>Pictures</h2>\n";
+  if (!found)
+    return html +
+           "<p>No pictures: the design was not placed on the scan, so the two would not belong "
+           "together.</p>\n";
   if (pictures.empty())
     return html +
            "<p>No pictures: there was no graphics driver to draw them with. The numbers do not "
@@ -228,7 +232,8 @@ std::string report_html(const InspectionRecord& record,
           escaped(file_name(record.scan.file));
   if (!record.created.empty()) html += " &middot; " + escaped(record.created);
   html += "</p>\n" + verdict_box(record.inspection) + warnings(record);
-  html += parts_section(record) + findings_section(record.inspection) + pictures_section(pictures);
+  html += parts_section(record) + findings_section(record.inspection) +
+          pictures_section(pictures, record.inspection.alignment.found);
   html += alignment_section(record) + meaning_section() + sources_section(record);
   return html + "</body></html>\n";
 }

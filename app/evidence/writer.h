@@ -19,7 +19,8 @@ struct OverlayPicture {
   render::Image image;
 };
 
-// The few views that together show every part, drawn with the current GL context.
+// The few views that together show every part, drawn with the current GL context; none where no
+// pose was found: points and design would not belong together.
 [[nodiscard]] Result<std::vector<OverlayPicture>> draw_overlays(const InspectionRecord& record,
                                                                 int width = 1280, int height = 800);
 

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/common/json_file.h"
+#include "app/sensor/depth_png.h"
 #include "tests/support/process.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
@@ -42,11 +44,28 @@ class InspectRefusals : public testing::Test {
     write("mirror.json", R"({"T_design_scan": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]})");
     write("calibration.json", R"({"calibration": {"scale_u": 7}})");
     fs::create_directory(folder_.path() / "plain_folder");
+    write_depth_folder("no_frames", 640, 480, 0);
+    write_depth_folder("two_frames", 4, 3, 2);
+    write_depth_folder("wrong_size", 640, 480, 2);
+    write_depth_folder("no_lens", 4, 3, 2);
+    write(
+        "no_lens/camera.json",
+        R"({"width": 4, "height": 3, "fx": 0, "fy": 1, "cx": 2, "cy": 1, "depth_unit_m": 0.001})");
     fs::create_directory(folder_.path() / "folder.ply");
   }
 
   void write(const std::string& name, const std::string& bytes) {
     std::ofstream(folder_.path() / name, std::ios::binary) << bytes;
+  }
+  // A recording of `frames` images of 4x3 px without a reading, whose camera claims another size.
+  void write_depth_folder(const std::string& name, int width, int height, int frames) {
+    fs::create_directories(folder_.path() / name / "depth");
+    Camera camera{.width = width, .height = height, .fx = 500, .fy = 500, .cx = 2, .cy = 1};
+    write(name + "/camera.json", json_text(camera_to_json(camera)));
+    const auto png = sensor::encode_depth_png(std::vector<std::uint16_t>(12, 0), 4, 3);
+    ASSERT_TRUE(png);
+    for (int i = 0; i < frames; ++i)
+      write(name + "/depth/00000" + std::to_string(i) + ".png", *png);
   }
   std::string text_of(const std::string& name) {
     std::ifstream file(folder_.path() / name, std::ios::binary);
@@ -169,6 +188,35 @@ TEST_F(InspectRefusals, AnswerEveryBadInputWithItsCodeAndOneSentence) {
        {"--design", "@design.obj", "--design-unit", "m", "--scan", "@plain_folder"},
        65,
        "plain_folder"},
+      {"scan a folder without images",
+       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@no_frames"},
+       65,
+       "no_frames"},
+      {"depth frame of the wrong size",
+       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@wrong_size"},
+       65,
+       "wrong_size"},
+      {"depth frame without a reading",
+       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@two_frames"},
+       65,
+       "measured nothing"},
+      {"frame beyond the end",
+       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@two_frames", "--frame", "2"},
+       65,
+       "no frame 2"},
+      {"camera without a lens",
+       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@no_lens"},
+       65,
+       "\"fx\" has to be more than 0"},
+      {"unit of a recording",
+       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@two_frames", "--scan-unit",
+        "mm"},
+       64,
+       "--scan-unit is for cloud files"},
+      {"camera that is not there",
+       {"--design", "@design.obj", "--design-unit", "m", "--scan", "openni:no/such"},
+       69,
+       "openni:no/such"},
       {"scan recording missing",
        {"--design", "@design.obj", "--design-unit", "m", "--scan", "@none.oni"},
        65,

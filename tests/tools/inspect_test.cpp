@@ -178,6 +178,8 @@ TEST_F(Inspect, RefusesPicksOnALineWithTheReasonInAReport) {
   EXPECT_TRUE(run.report["alignment"]["T_design_scan"].is_null());
   EXPECT_FALSE(run.report["alignment"]["reason"].get<std::string>().empty());
   EXPECT_EQ(run.report["status"], "not_measured");
+  EXPECT_TRUE(run.pictures.empty());  // a design drawn where it was not found would be a lie
+  EXPECT_NE(run.html.find("not placed on the scan"), std::string::npos);
   for (const auto& row : run.points) EXPECT_EQ(row.object, 0);
 }
 

@@ -50,6 +50,14 @@ TEST(DrawOverlays, ShowsTheDesignInEveryPicture) {
   }
 }
 
+TEST(DrawOverlays, DrawsNothingWhereTheDesignWasNotFound) {
+  auto record = test::sample_record();
+  record.inspection.alignment.found = false;
+  const auto pictures = draw_overlays(record, 640, 400);  // needs no context
+  ASSERT_TRUE(pictures) << pictures.error().message;
+  EXPECT_TRUE(pictures->empty());
+}
+
 TEST(DrawOverlays, IsTheSameTwice) {
   auto context = render::EglContext::surfaceless();
   if (!context && std::getenv("SPOOL_REQUIRE_GL") == nullptr)
