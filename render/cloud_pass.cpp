@@ -30,10 +30,13 @@ Group group_of(const Eigen::Vector3f& point, float deviation_m, std::uint8_t poi
 Result<CloudPass> CloudPass::create() {
   auto points = ShaderProgram::create("cloud");
   if (!points) return points.error();
+  auto discs = ShaderProgram::create("cloud", "cloud_disc");
+  if (!discs) return discs.error();
   auto contradicting = ShaderProgram::create("contradicting");
   if (!contradicting) return contradicting.error();
   CloudPass pass;
   pass.points_ = std::move(*points);
+  pass.discs_ = std::move(*discs);
   pass.contradicting_ = std::move(*contradicting);
   pass.buffer_ = make_buffer();
   pass.attributes_ = make_vertex_array();
@@ -81,26 +84,28 @@ void CloudPass::draw(const Offscreen& target, const View& view, const CloudStyle
   set_draw_state({.depth_test = DepthTest::kNearer, .depth_write = true});
   const glm::mat4 clip_from_design = clip_from_eye(view) * eye_from_design(view);
   glBindVertexArray(attributes_.id());
-  points_.use();
-  points_.set("u_clip_from_design", clip_from_design);
-  points_.set("u_size_px", style.size_px);
-  points_.set("u_spacing_px_m", static_cast<float>(style.spacing_m * view.camera.fx));
-  points_.set("u_largest_px", largest_px_);
-  points_.set("u_inside_stops", inside_stops());
-  points_.set("u_outside_stops", outside_stops());
-  points_.set("u_neutral_m", static_cast<float>(style.neutral_m));
-  points_.set("u_range_m", static_cast<float>(style.range_m));
+  // Small squares are told from discs by nobody, and spare the driver a test of every pixel.
+  const ShaderProgram& points = style.spacing_m > 0 ? discs_ : points_;
+  points.use();
+  points.set("u_clip_from_design", clip_from_design);
+  points.set("u_size_px", style.size_px);
+  points.set("u_spacing_px_m", static_cast<float>(style.spacing_m * view.camera.fx));
+  points.set("u_largest_px", largest_px_);
+  points.set("u_inside_stops", inside_stops());
+  points.set("u_outside_stops", outside_stops());
+  points.set("u_neutral_m", static_cast<float>(style.neutral_m));
+  points.set("u_range_m", static_cast<float>(style.range_m));
   GLint first = 0;
   const auto draw_next = [&first](GLsizei count, bool shown) {
     if (shown && count > 0) glDrawArrays(GL_POINTS, first, count);
     first += count;
   };
-  points_.set("u_use_deviation", 0.0F);
-  points_.set("u_colour", clutter_colour());
+  points.set("u_use_deviation", 0.0F);
+  points.set("u_colour", clutter_colour());
   draw_next(count_[kClutter], style.show_clutter);
-  points_.set("u_colour", unknown_colour());
+  points.set("u_colour", unknown_colour());
   draw_next(count_[kUnknown], true);
-  points_.set("u_use_deviation", 1.0F);
+  points.set("u_use_deviation", 1.0F);
   draw_next(count_[kObject], true);
   if (count_[kContradicting] > 0) {
     contradicting_.use();

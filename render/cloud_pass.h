@@ -38,6 +38,7 @@ class CloudPass {
 
  private:
   ShaderProgram points_;
+  ShaderProgram discs_;
   ShaderProgram contradicting_;
   BufferHandle buffer_;
   VertexArrayHandle attributes_;

@@ -13,8 +13,9 @@ namespace spool::render {
 class DepthShadePass {
  public:
   [[nodiscard]] static Result<DepthShadePass> create();
-  // After the points and before anything that should keep its colour.
-  void draw(const Offscreen& target, const View& view, int radius_px) const;
+  // After the points, drawn `point_px` large or larger to close gaps of `spacing_m` (0: none), and
+  // before anything that should keep its colour.
+  void draw(const Offscreen& target, const View& view, float point_px, double spacing_m) const;
 
  private:
   ShaderProgram program_;

@@ -102,7 +102,7 @@ Status OverlayRenderer::draw(const Offscreen& target, const View& view, const Ov
                        .spacing_m = style.point_spacing_m,
                        .show_clutter = style.show_clutter});
     if (style.shade_cloud) {
-      impl_->depth_shade.draw(target, view, std::max(1, static_cast<int>(style.scale + 0.5)));
+      impl_->depth_shade.draw(target, view, style.point_size_px, style.point_spacing_m);
     }
   }
   if (style.show_design) {

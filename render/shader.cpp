@@ -60,9 +60,12 @@ Result<ProgramHandle> link_program(const ShaderSource& vertex, const ShaderSourc
                    std::string(fragment.name) + ": " + first_line(log) + "; update the driver"};
 }
 
-Result<ShaderProgram> ShaderProgram::create(std::string_view name) {
-  const std::string vertex_name = std::string(name) + ".vert";
-  const std::string fragment_name = std::string(name) + ".frag";
+Result<ShaderProgram> ShaderProgram::create(std::string_view vertex_stem,
+                                            std::string_view fragment_stem) {
+  std::string vertex_name(vertex_stem);
+  vertex_name += ".vert";
+  std::string fragment_name(fragment_stem);
+  fragment_name += ".frag";
   const auto vertex = embedded_file(vertex_name);
   const auto fragment = embedded_file(fragment_name);
   assert(vertex && fragment && "the shader is listed in render/CMakeLists.txt");

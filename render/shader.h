@@ -18,9 +18,13 @@ namespace spool::render {
 class ShaderProgram {
  public:
   ShaderProgram() = default;
-  // Compiles the embedded "NAME.vert" and "NAME.frag"; kNoDevice with the file's name and the
-  // driver's own words where it refuses them.
-  [[nodiscard]] static Result<ShaderProgram> create(std::string_view name);
+  // Compiles the embedded "NAME.vert" and "NAME.frag", or two of different names; kNoDevice with
+  // the file's name and the driver's own words where it refuses them.
+  [[nodiscard]] static Result<ShaderProgram> create(std::string_view name) {
+    return create(name, name);
+  }
+  [[nodiscard]] static Result<ShaderProgram> create(std::string_view vertex,
+                                                    std::string_view fragment);
 
   void use() const;
   void set(const char* uniform, int value) const;

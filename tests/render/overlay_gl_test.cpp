@@ -239,13 +239,40 @@ TEST_F(Overlay, TheLitPartIsBrighterAndBlueAndShowsThroughPoints) {
   EXPECT_GT(different_pixels(unlit, draw(style)), 200);  // its outline, through its own points
 }
 
+// Walls of points square to the view and turned away: form shows, and a facing surface keeps its
+// colour.
+TEST_F(Overlay, ShadingDarkensSlopesAndLeavesFacingSurfaces) {
+  const auto light = [&](double slope) {
+    test::Measured m;
+    for (int v = 60; v < 180; ++v) {
+      for (int u = 80; u < 240; ++u) {
+        const Eigen::Vector3d ray = view_.camera.back_project(u, v, 1.0);
+        const double z = 1.0 / (1.0 - slope * ray.x());  // the plane z = 1 + slope x
+        m.points.push_back(
+            (view_.T_camera_design.inverse() * Eigen::Vector3d(z * ray)).cast<float>());
+        m.deviation.push_back(0);
+        m.classes.push_back(1);
+      }
+    }
+    set_measured(m);
+    const float shaded =
+        colour_at(draw({.show_design = false, .show_legend = false}), 160, 120).x();
+    return shaded / colour_at(draw(plain()), 160, 120).x();
+  };
+  EXPECT_NEAR(light(0), 1.0F, 0.02F);
+  EXPECT_NEAR(light(1.7), 0.81F,
+              0.06F);  // 60 degrees: 2^-(0.18 * 1.7); depth steps of whole pixels
+  EXPECT_LT(light(4), light(1.7));
+}
+
 TEST_F(Overlay, NearPointsGrowToCloseTheSurface) {
   set_point(test::kPipeTop.cast<float>(), 0.004F);
   OverlayStyle style = plain();
   const Image nothing = draw({.show_cloud = false, .show_design = false, .show_legend = false});
   const Projected at = project(view_, test::kPipeTop);
   style.point_spacing_m = 7 * at.depth_m / view_.camera.fx;  // 7 px there
-  EXPECT_EQ(different_pixels(draw(style), nothing), 49);
+  // A disc of 7 px: pi / 4 * 49 = 38.5, its rim rounded to whole pixels.
+  EXPECT_NEAR(different_pixels(draw(style), nothing), 38.5, 4);
 }
 
 TEST_F(Overlay, AsksForNoLargerPointsThanTheDriverDraws) {
