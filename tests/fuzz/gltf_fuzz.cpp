@@ -26,7 +26,7 @@ spool::Result<spool::DesignModel> read(unsigned format, std::string bytes) {
       case 3:
         return spool::read_mesh_design({"design.obj", std::move(bytes), unit});
       default:
-        return spool::read_mesh_design({"design.ply", std::move(bytes), unit});
+        return spool::read_ply_design({"design.ply", std::move(bytes), unit});
     }
   } catch (const std::exception& failure) {
     return spool::Error{spool::ErrorCode::kBadInput, failure.what()};

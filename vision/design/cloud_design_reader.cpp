@@ -18,7 +18,7 @@ constexpr int kNormalNeighbours = 16;  // two rings round a point on an even sam
 }  // namespace
 
 Result<DesignModel> read_cloud_design(const DesignFile& file) {
-  Result<CloudFile> read = read_cloud(file.path, file.unit);
+  Result<CloudFile> read = read_cloud_bytes(file.bytes, file.path, file.unit);
   if (!read) return read.error();
   DesignModel design;
   design.path = file.path.string();
