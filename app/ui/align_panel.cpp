@@ -63,7 +63,7 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
                                      : ImVec2(corner.x, static_cast<float>(scan.y + scan.height));
   back.AddLine(corner, end, IM_COL32(255, 255, 255, 90), 2 * dp);
 
-  begin_panel(painter, "card", layout.card);
+  begin_panel(painter, "card", layout.align_card);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   ImVec2 at = ImGui::GetCursorScreenPos();
   at.y += 18 * dp;

@@ -36,6 +36,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
       out.actions[i] = {margin + i * step, y, step - margin, target};
     }
     out.card = {margin, y - margin - kCardDp * dp, width_px - 2 * margin, kCardDp * dp};
+    out.align_card = out.card;
     const double half = std::floor(0.5 * (out.card.y - margin - top));
     out.design_view = {0, top, width_px, half};
     out.scan_view = {0, top + half, width_px, half};
@@ -56,8 +57,9 @@ Layout lay_out(double width_px, double height_px, double dp) {
   }
   const double card_width = std::min(kCardWidthDp * dp, x - 2 * margin);
   out.card = {margin, height_px - margin - kCardDp * dp, card_width, kCardDp * dp};
+  out.align_card = {margin, out.card.y, x - 2 * margin, out.card.height};
   const double half = std::floor(0.5 * (x - margin));
-  const double view_height = out.card.y - margin - top;
+  const double view_height = std::floor(out.card.y - margin - top);
   out.design_view = {0, top, half, view_height};
   out.scan_view = {half, top, half, view_height};
   return out;

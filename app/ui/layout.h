@@ -29,7 +29,8 @@ struct Layout {
   bool portrait = false;
   Rect strip;              // words along the top
   Rect actions[kActions];  // where the thumb is: right edge, or the bottom in portrait
-  Rect card;               // the readout, bottom left; on Align the chips and the hint
+  Rect card;               // Work: the readout, bottom left
+  Rect align_card;         // Align: the chips and the hint, under the two pictures
   Rect work_view;          // the steel: everything
   Rect design_view;        // Align: side by side, above each other in portrait
   Rect scan_view;

@@ -49,7 +49,22 @@ void Picture::set_state(const VisionState& state) {
   scan_.set_points(state.scan.points, unknown, classes);
 }
 
+// What no picture covers.
+Status Picture::draw_background() {
+  render::View view;
+  view.camera = {.width = target_.width(), .height = target_.height(), .fx = 1, .fy = 1};
+  render::OverlayStyle nothing;
+  nothing.show_cloud = nothing.show_design = nothing.show_legend = false;
+  scan_.set_markers({});
+  return scan_.draw(target_, view, nothing);
+}
+
 Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& panels) {
+  const bool fills = scenes.size() == 1 && scenes.front().view.camera.width == target_.width() &&
+                     scenes.front().view.camera.height == target_.height();
+  if (!fills) {
+    if (const Status status = draw_background(); !status) return status;
+  }
   std::size_t used = 0;
   for (const ScenePicture& scene : scenes) {
     render::OverlayRenderer& renderer = scene.of_scan ? scan_ : overlay_;

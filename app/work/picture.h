@@ -52,6 +52,8 @@ class Picture {
           double dp)
       : overlay_(std::move(overlay)), scan_(std::move(scan)), panels_(std::move(panels)), dp_(dp) {}
 
+  [[nodiscard]] Status draw_background();
+
   render::OverlayRenderer overlay_;  // design and measured points, design frame
   render::OverlayRenderer scan_;     // points only, camera frame
   render::ImguiPass panels_;

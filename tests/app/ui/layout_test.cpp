@@ -47,7 +47,7 @@ TEST(Layout, NothingOverlapsAndNothingLeavesTheScreen) {
     SCOPED_TRACE(size.name);
     const Layout layout = lay_out(size.width, size.height, pixels_per_dp(size.dots_per_inch));
     std::vector<Rect> all(std::begin(layout.actions), std::end(layout.actions));
-    all.insert(all.end(), {layout.strip, layout.card, layout.design_view, layout.scan_view});
+    all.insert(all.end(), {layout.strip, layout.align_card, layout.design_view, layout.scan_view});
     for (std::size_t i = 0; i < all.size(); ++i) {
       EXPECT_GE(all[i].x, 0);
       EXPECT_GE(all[i].y, 0);
