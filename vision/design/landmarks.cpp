@@ -200,27 +200,27 @@ LandmarkProposal propose_landmarks(const DesignModel& design, const DesignSurfac
           {{point, static_cast<std::int32_t>(p), words(part)}, distinctness(part.kind)});
     }
   }
-  for (const std::size_t i : spread(candidates, count))
-    out.landmarks.push_back(candidates[i].landmark);
-  if (out.landmarks.size() < 3) {
-    out.landmarks.clear();
-    return out;
-  }
-  const Eigen::Vector3d& a = out.landmarks[0].position;
-  const Eigen::Vector3d normal =
-      (out.landmarks[1].position - a).cross(out.landmarks[2].position - a).normalized();
-  double best = -1;
+  // Each look has its own landmarks: those in sight from there. The largest triangle wins.
+  double best = 0;
   for (const Eigen::Vector3d& look : all_directions) {
-    double seen = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (is_visible(surface, out.landmarks[i].position, look, size)) seen += 1;
+    std::vector<Candidate> in_sight;
+    for (const Candidate& candidate : candidates) {
+      if (is_visible(surface, candidate.landmark.position, look, size))
+        in_sight.push_back(candidate);
     }
-    seen +=
-        0.9 * std::abs(look.dot(normal));  // among equals the triangle is seen from its broad side
-    if (seen > best) {
-      best = seen;
-      out.look = look;
-    }
+    const std::vector<std::size_t> chosen = spread(in_sight, count);
+    if (chosen.size() < 3) continue;
+    const auto at = [&](std::size_t i) { return in_sight[chosen[i]].landmark.position; };
+    const Eigen::Vector3d across = (at(1) - at(0)).cross(at(2) - at(0));
+    double value = std::abs(look.dot(across));
+    for (std::size_t i = 0; i < 3; ++i) value *= in_sight[chosen[i]].weight;
+    // From above rather than from below, as files have it: y or z up.
+    value *= 1.0 - 0.35 * (look.y() + look.z());
+    if (value <= best) continue;
+    best = value;
+    out.look = look;
+    out.landmarks.clear();
+    for (const std::size_t i : chosen) out.landmarks.push_back(in_sight[i].landmark);
   }
   return out;
 }

@@ -22,8 +22,7 @@ struct Landmark {
 struct LandmarkProposal {
   std::vector<Landmark>
       landmarks;  // in the order they are best picked; the first three are never in line
-  // The direction (unit, design frame) of a look at the design that shows as many of the first
-  // three as can be.
+  // The direction (unit, design frame) of a look at the design that shows them.
   Eigen::Vector3d look = -Eigen::Vector3d::UnitZ();
 };
 

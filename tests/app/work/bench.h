@@ -1,0 +1,112 @@
+// The whole application without a window, on the bracket, driven frame by frame.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/work/application.h"
+#include "render/egl_context.h"
+#include "tests/app/runner/simulated_scene.h"
+#include "tests/app/work/robot_fitter.h"
+#include "tests/support/temporary_folder.h"
+
+namespace spool::test {
+
+[[nodiscard]] inline std::vector<Step> standing_still(int frames) {
+  std::vector<Step> steps;
+  for (int i = 0; i < frames; ++i) {
+    steps.push_back(frame_step(render_frame(*prepared_bracket(), T_design_camera(), i)));
+  }
+  return steps;
+}
+
+class Bench : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto context = render::EglContext::surfaceless();
+    if (!context && std::getenv("SPOOL_REQUIRE_GL") == nullptr) {
+      GTEST_SKIP() << context.error().message;
+    }
+    ASSERT_TRUE(context.has_value());
+    context_ = std::make_unique<render::EglContext>(std::move(*context));
+  }
+
+  void start(std::vector<Step> steps, int width = 800, int height = 480) {
+    ApplicationInputs in;
+    in.design = prepared_bracket();
+    in.camera = small_camera();
+    in.noise.constant_m = 0.0008;
+    in.source_text = in.source_description = "scripted";
+    in.is_recording = true;
+    in.out = folder_.path() / "out";
+    in.width = width;
+    in.height = height;
+    in.wait_for_jobs = true;
+    const NoiseModel noise = in.noise;
+    in.open_feed = [steps, noise]() -> Result<std::unique_ptr<Feed>> {
+      return make_lock_step_feed(
+          std::make_unique<ScriptedSource>(steps, true),
+          FrameProcessor(prepared_bracket(), small_camera(), noise, {.stride_px = 1}));
+    };
+    auto app = Application::create(std::move(in));
+    ASSERT_TRUE(app.has_value()) << app.error().message;
+    app_ = std::move(*app);
+    step();
+  }
+
+  // One frame of sensor and screen.
+  void step(const std::vector<ui::TouchEvent>& events = {}) {
+    now_ += app_->advance().value_or(1.0 / 30);
+    const Status drawn = app_->frame(now_, events);
+    ASSERT_TRUE(drawn.has_value()) << drawn.error().message;
+    if (const std::string line = app_->changed_targets(); !line.empty()) {
+      screen_ = nlohmann::json::parse(line);
+    }
+  }
+  void play_to_the_end() {
+    for (int i = 0; i < 1000 && !app_->source_has_ended(); ++i) step();
+    ASSERT_TRUE(app_->source_has_ended());
+  }
+  void tap_at(const Spot& spot) {
+    step(tap(spot));
+    for (int i = 0; i < 3; ++i) step();
+  }
+  void press(const std::string& name) {
+    const auto spot = target(screen_, name);
+    ASSERT_TRUE(spot.has_value()) << name << " is not on the screen: " << screen_.dump();
+    tap_at(*spot);
+  }
+  [[nodiscard]] bool offers(const std::string& name) const {
+    return target(screen_, name).has_value();
+  }
+
+  // Where three well-chosen points stand on the screen now.
+  [[nodiscard]] std::vector<SpotPair> three() const {
+    const auto frame = render_frame(*prepared_bracket(), T_design_camera(), 0);
+    return choose_three(screen_, *prepared_bracket(), small_camera(), *frame, T_design_camera());
+  }
+  void pick(const SpotPair& pair) {
+    tap_at(pair.design);
+    tap_at(pair.scan);
+  }
+  void pick_three() {
+    const auto pairs = three();
+    ASSERT_EQ(pairs.size(), 3U);
+    for (const SpotPair& pair : pairs) pick(pair);
+  }
+
+  TemporaryFolder folder_;
+  std::unique_ptr<render::EglContext> context_;
+  std::unique_ptr<Application> app_;  // goes before its context
+  nlohmann::json screen_;
+  double now_ = 0;
+};
+
+}  // namespace spool::test
