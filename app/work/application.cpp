@@ -50,6 +50,11 @@ Result<std::unique_ptr<Application>> Application::create(ApplicationInputs input
 }
 
 Status Application::resize(int width, int height) {
+  const render::Offscreen& now = picture_->target();
+  if (layout_.work_view.width == width && layout_.work_view.height == height &&
+      now.width() == width && now.height() == height) {
+    return {};
+  }
   in_.width = width;
   in_.height = height;
   layout_ = ui::lay_out(width, height, theme_.dp);

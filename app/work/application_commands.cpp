@@ -50,7 +50,7 @@ void Application::handle(const ui::Command& command) {
       break;
     case ui::Action::kUndo:
       picks_.undo();
-      if (picks_.pairs().empty()) release_picture();
+      if (!picks_.can_undo()) release_picture();
       break;
     case ui::Action::kCheck:
       start_check(false);
@@ -118,12 +118,13 @@ void Application::tap(const ui::Gesture& gesture) {
     lit_part_ = hit && hit->part != lit_part_ ? hit->part : -1;
     return;
   }
-  if (awaiting_alignment_) return;
+  if (awaiting_alignment_ || !design_eye_.is_started() || !scan_eye_.is_started()) return;
   if (layout_.design_view.contains(gesture.x, gesture.y)) {
     const auto hit = pick_design(in_.design->model, *in_.design->surface, landmarks_.landmarks,
                                  design_eye_.view(), gesture.x - layout_.design_view.x,
                                  gesture.y - layout_.design_view.y, slop);
-    if (hit) {
+    if (hit && shown()) {
+      hold_picture();
       picks_.choose_design_point(*hit);
     } else {
       notice("No part of the drawing there: tap on it.");

@@ -216,6 +216,8 @@ LandmarkProposal propose_landmarks(const DesignModel& design, const DesignSurfac
     for (std::size_t i = 0; i < 3; ++i) value *= in_sight[chosen[i]].weight;
     // From above rather than from below, as files have it: y or z up.
     value *= 1.0 - 0.35 * (look.y() + look.z());
+    // A slanting look shows form; one along an axis, an outline.
+    if (look.cwiseAbs().maxCoeff() > 0.9) value *= 0.7;
     if (value <= best) continue;
     best = value;
     out.look = look;

@@ -110,9 +110,9 @@ TEST_F(Bench, RefusesTheSamePointTwiceAndGoesOnAfterUndo) {
 }
 
 TEST_F(Bench, ATapBesideTheSteelPicksNothing) {
-  start(standing_still(5));
+  start(standing_still(5), 480, 800);
   const auto rect = screen_["scan_view"]["rect"].get<std::vector<double>>();
-  tap_at({rect[0] + 20, rect[1] + 6});  // above the letter-boxed picture
+  tap_at({rect[0] + 6, rect[1] + 0.5 * rect[3]});  // beside the letter-boxed picture
   EXPECT_EQ(screen_["picks"], 0);
   EXPECT_FALSE(screen_.contains("held_frame"));
 }
