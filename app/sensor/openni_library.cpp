@@ -9,6 +9,10 @@
 #include <numbers>
 #include <set>
 #include <utility>
+#include <vector>
+
+#include <dlfcn.h>
+#include <link.h>
 
 namespace spool::sensor {
 namespace {
@@ -22,6 +26,22 @@ struct Leases {
 Leases& leases() {
   static Leases all;
   return all;
+}
+
+// Keeps the drivers that OpenNI2 has loaded in memory when it lets go of them: they cancel threads
+// of theirs that do not end in time, and those may still run in the driver's code then.
+void keep_drivers_loaded() {
+  std::vector<std::string> drivers;
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* to) {
+        if (std::strstr(info->dlpi_name, "/OpenNI2/Drivers/") != nullptr)
+          static_cast<std::vector<std::string>*>(to)->emplace_back(info->dlpi_name);
+        return 0;
+      },
+      &drivers);
+  for (const std::string& driver : drivers)
+    if (void* library = dlopen(driver.c_str(), RTLD_LAZY | RTLD_NOLOAD | RTLD_NODELETE))
+      dlclose(library);
 }
 
 }  // namespace
@@ -46,6 +66,7 @@ Result<std::unique_ptr<Lease>> Lease::take(const std::string& uri) {
     return Error{ErrorCode::kNoDevice, uri + ": OpenNI2 does not start" + why +
                                            "; look into the folder openni2 beside the programs"};
   }
+  if (all.uris.empty()) keep_drivers_loaded();
   openni::OpenNI::setLogConsoleOutput(false);
   openni::OpenNI::setLogFileOutput(false);
   all.uris.insert(uri);
