@@ -205,7 +205,7 @@ float legend_text_px(double scale) {
 }
 
 Canvas draw_legend(const LegendContent& content, int width, int height, double scale,
-                   const FontAtlas& font) {
+                   const FontAtlas& font, double top_px) {
   assert(content.range_m > content.neutral_m && content.neutral_m >= 0 &&
          "a range beyond the neutral band");
   (void)width;
@@ -239,7 +239,8 @@ Canvas draw_legend(const LegendContent& content, int width, int height, double s
 
   Canvas canvas;
   const float top =
-      std::round(std::max(margin, 0.5F * (static_cast<float>(height) - panel_height)));
+      std::round(static_cast<float>(top_px) +
+                 std::max(margin, 0.5F * (static_cast<float>(height) - panel_height)));
   const Pen pen{canvas, {margin, top}, s, legend_text_px(scale)};
   pen.box(0, 0, panel_width, panel_height, with_opacity(kInk, 0.72F), 8 * s);
 

@@ -20,10 +20,10 @@ struct LegendContent {
   bool has_contradicting = false;  // points that contradict the design are shown
 };
 
-// The legend at the left edge of a picture, half way down. `scale` as in OverlayStyle; `font` is of
-// the size that legend_text_px() says. Knows no GL.
+// The legend at the left edge of a picture, half way down the `height` px that begin at `top_px`.
+// `scale` as in OverlayStyle; `font` is of the size that legend_text_px() says. Knows no GL.
 [[nodiscard]] Canvas draw_legend(const LegendContent& content, int width, int height, double scale,
-                                 const FontAtlas& font);
+                                 const FontAtlas& font, double top_px = 0);
 
 // The size (px) of the legend's text; `font`.
 [[nodiscard]] float legend_text_px(double scale);

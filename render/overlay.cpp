@@ -37,8 +37,10 @@ struct OverlayRenderer::Impl {
                                 .units = style.units,
                                 .has_clutter = style.show_clutter && cloud.has_clutter(),
                                 .has_contradicting = cloud.has_contradicting()};
-    return canvas.draw(
-        target, render::draw_legend(content, target.width(), target.height(), style.scale, **font));
+    const int free_height =
+        target.height() - static_cast<int>(style.inset_top_px + style.inset_bottom_px);
+    return canvas.draw(target, render::draw_legend(content, target.width(), free_height,
+                                                   style.scale, **font, style.inset_top_px));
   }
 };
 

@@ -40,6 +40,8 @@ struct OverlayStyle {
   bool show_clutter = true;  // points that are not the object: dim
   bool show_design = true;
   bool show_legend = true;
+  double inset_top_px = 0;     // covered by a strip of the screen: the legend stays clear of it
+  double inset_bottom_px = 0;  // and of what covers the bottom
   LengthDisplay units = LengthDisplay::kMillimetre;
   int lit_part = -1;   // drawn brighter
   double scale = 1.0;  // of text and marks: pixels a density-independent unit

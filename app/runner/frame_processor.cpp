@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/runner/surface_agreement.h"
+#include "vision/inspect/facing.h"
 #include "vision/scan/back_projection.h"
 #include "vision/scan/normals.h"
 
@@ -143,6 +144,7 @@ std::shared_ptr<VisionState> FrameProcessor::Impl::thin(std::shared_ptr<const De
   state->revision = ++revision;
   state->alignment = alignment;
   state->frame = std::move(frame);
+  state->stride_px = options.stride_px;
   estimate_organised_normals(organised, small, noise);
   state->scan = measured_points(organised);
   return state;
@@ -204,6 +206,9 @@ void FrameProcessor::Impl::measure(VisionState& state) const {
   state.classes.assign(state.scan_design.size(), PointClass::kObject);
   state.deviations = measure_deviations(state.scan_design, state.classes, *design->surface,
                                         static_cast<float>(options.max_deviation_m));
+  // What a single point may be off by at random is not looked at: three standard deviations.
+  drop_turned_away(state.scan_design, state.T_design_camera.translation(), *design->surface,
+                   static_cast<float>(3.0 * state.point_noise_m), state.classes, state.deviations);
   state.parts = summarise_parts(design->model, state.scan_design, state.classes, state.deviations,
                                 design->samples);
 }
@@ -264,6 +269,7 @@ VisionStatePtr FrameProcessor::align(const VisionState& held, const Pose& T_desi
   state->alignment = ++self.alignment;
   state->frame = held.frame;
   state->scan = held.scan;
+  state->stride_px = held.stride_px;
   self.T_design_camera.reset();
   self.alignment_hint.clear();
   self.track(*state, T_design_camera, self.options.align_distance_m);

@@ -26,7 +26,8 @@ struct VisionState {
   std::uint64_t revision = 0;   // counts published states
   std::uint64_t alignment = 0;  // counts alignments asked for and answered up to this state
   std::shared_ptr<const DepthFrame> frame;
-  PointCloud scan;  // the frame thinned: measured points with normals, camera frame (m)
+  PointCloud scan;    // the frame thinned: measured points with normals, camera frame (m)
+  int stride_px = 1;  // every so many pixels of the frame are in it
   TrackQuality quality = TrackQuality::kUnaligned;
   std::string hint;  // what to do where quality is not good; one sentence
   // Design coordinates without the design's origin. Of a lost frame: the last pose that was

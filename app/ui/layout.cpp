@@ -15,6 +15,8 @@ constexpr double kStripDp = 52;
 constexpr double kCardDp = 132;
 constexpr double kCardWidthDp = 640;
 constexpr double kActionWidthDp = 96;
+constexpr double kLegendDp = 160;        // width of the deviation colours at the left edge
+constexpr double kLegendHeightDp = 330;  // it can be drawn lower but not read well
 }  // namespace
 
 double pixels_per_dp(double dots_per_inch) {
@@ -37,6 +39,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
     }
     out.card = {margin, y - margin - kCardDp * dp, width_px - 2 * margin, kCardDp * dp};
     out.align_card = out.card;
+    out.legend_bottom = out.card.y;
     const double half = std::floor(0.5 * (out.card.y - margin - top));
     out.design_view = {0, top, width_px, half};
     out.scan_view = {0, top + half, width_px, half};
@@ -55,8 +58,12 @@ Layout lay_out(double width_px, double height_px, double dp) {
   for (int i = 0; i < kActions; ++i) {
     out.actions[i] = {x, first + i * (height + gap), width, height};
   }
-  const double card_width = std::min(kCardWidthDp * dp, x - 2 * margin);
-  out.card = {margin, height_px - margin - kCardDp * dp, card_width, kCardDp * dp};
+  // On a low screen the card stands beside the legend, else under it.
+  const double card_y = height_px - margin - kCardDp * dp;
+  const bool beside = card_y - top < kLegendHeightDp * dp;
+  const double card_x = beside ? kLegendDp * dp : margin;
+  out.card = {card_x, card_y, std::min(kCardWidthDp * dp, x - card_x - margin), kCardDp * dp};
+  out.legend_bottom = beside ? height_px : card_y;
   out.align_card = {margin, out.card.y, x - 2 * margin, out.card.height};
   const double half = std::floor(0.5 * (x - margin));
   const double view_height = std::floor(out.card.y - margin - top);

@@ -27,12 +27,13 @@ inline constexpr int kActions = 5;
 
 struct Layout {
   bool portrait = false;
-  Rect strip;              // words along the top
-  Rect actions[kActions];  // where the thumb is: right edge, or the bottom in portrait
-  Rect card;               // Work: the readout, bottom left
-  Rect align_card;         // Align: the chips and the hint, under the two pictures
-  Rect work_view;          // the steel: everything
-  Rect design_view;        // Align: side by side, above each other in portrait
+  Rect strip;                // words along the top
+  Rect actions[kActions];    // where the thumb is: right edge, or the bottom in portrait
+  Rect card;                 // Work: the readout, bottom left
+  double legend_bottom = 0;  // the legend at the left edge ends above this
+  Rect align_card;           // Align: the chips and the hint, under the two pictures
+  Rect work_view;            // the steel: everything
+  Rect design_view;          // Align: side by side, above each other in portrait
   Rect scan_view;
 };
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/work/application.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <imgui.h>
@@ -16,6 +17,8 @@ namespace {
 constexpr double kNeutralLeast = 0.0005;  // m
 constexpr float kFrameSeconds = 1.0F / 30.0F;
 constexpr double kDesignFovDeg = 35.0;
+constexpr double kLeastPointPx = 2.0;
+constexpr double kMostPointPx = 12.0;
 }  // namespace
 
 Application::Application(ApplicationInputs inputs)
@@ -153,6 +156,15 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   return {};
 }
 
+// A point covers what its pixels see: in the camera's own picture the cloud has no gaps, and from
+// nearer by the spacing at the middle of what was measured.
+void Application::set_point_size(ScenePicture& scene, const VisionState& state) const {
+  const double pixel = state.stride_px / in_.camera.fx;  // as a slope
+  scene.point_px = std::clamp(scene.view.camera.fx * pixel + 0.5, kLeastPointPx, kMostPointPx);
+  if (state.scan.empty()) return;
+  scene.point_spacing_m = pixel * static_cast<double>(state.scan.points[state.scan.size() / 2].z());
+}
+
 // The pictures of the present screen; eyes that nobody moved yet are put where they belong.
 std::vector<ScenePicture> Application::scenes() {
   const VisionStatePtr& state = shown();
@@ -192,6 +204,7 @@ std::vector<ScenePicture> Application::scenes() {
     scan.of_scan = true;
     scan.show_cloud = state != nullptr;
     scan.markers = scan_markers();
+    if (state) set_point_size(scan, *state);
     out.push_back(std::move(scan));
     return out;
   }
@@ -202,17 +215,22 @@ std::vector<ScenePicture> Application::scenes() {
     work.of_scan = true;
     work.show_cloud = state != nullptr;
     work.view.T_camera_design = Pose::Identity();
+    if (state) set_point_size(work, *state);
     out.push_back(std::move(work));
     return out;
   }
   if (detached_) {
     work.view = work_eye_.view();
   }
+  set_point_size(work, *state);
   work.show_cloud = view_mode_ != 2;
   work.show_design = view_mode_ != 1;
   work.show_legend = true;
   work.lit_part = lit_part_;
-  work.neutral_m = std::max(kNeutralLeast, state->point_noise_m);
+  // To a tenth of a millimetre, as the legend writes it.
+  work.neutral_m = std::max(kNeutralLeast, 1e-4 * std::round(1e4 * state->point_noise_m));
+  work.legend_top_px = layout_.strip.height;
+  work.legend_bottom_px = layout_.legend_bottom;
   out.push_back(std::move(work));
   return out;
 }

@@ -87,6 +87,7 @@ class Application {
   [[nodiscard]] const VisionStatePtr& shown() const { return held_ ? held_ : state_; }
   void route(const std::vector<ui::TouchEvent>& events);
   [[nodiscard]] std::vector<ScenePicture> scenes();
+  void set_point_size(ScenePicture& scene, const VisionState& state) const;
   // application_commands.cpp
   void handle(const ui::Command& command);
   void handle(const ui::Gesture& gesture);

@@ -81,7 +81,10 @@ ui::ScreenState Application::screen_state() const {
   out.screen = screen_;
   out.title =
       !design.spool.empty() ? design.spool : std::filesystem::path(design.path).stem().string();
-  out.source = unplugged_ ? "sensor unplugged" : in_.source_description;
+  // A path's last part says enough on a strip.
+  out.source = unplugged_
+                   ? "sensor unplugged"
+                   : in_.source_description.substr(in_.source_description.find_last_of('/') + 1);
   out.source_is_well = !unplugged_ && !failure_;
   out.can_replay = in_.is_recording && ended_ && !held_;
   if (now_s_ < notice_until_s_) out.notice = notice_;

@@ -3,16 +3,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/work/picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 namespace spool {
-
-namespace {
-// Points are drawn so large that the thinned cloud closes to a surface at a hand's distance.
-constexpr float kPointSizeDp = 3.0F;
-}  // namespace
 
 Result<Picture> Picture::create(const PreparedDesign& design, int width, int height, double dp) {
   Result<render::OverlayRenderer> overlay = render::OverlayRenderer::create();
@@ -75,8 +71,11 @@ Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& 
     style.show_design = scene.show_design && !scene.of_scan;
     style.show_legend = scene.show_legend;
     style.lit_part = scene.lit_part;
-    style.point_size_px = kPointSizeDp * static_cast<float>(dp_);
+    style.point_size_px = static_cast<float>(scene.point_px);
     style.scale = dp_;
+    style.point_spacing_m = scene.point_spacing_m;
+    style.inset_top_px = scene.legend_top_px;
+    style.inset_bottom_px = std::max(0.0, target_.height() - scene.legend_bottom_px);
     const int width = scene.view.camera.width;
     const int height = scene.view.camera.height;
     if (width == target_.width() && height == target_.height()) {
