@@ -13,10 +13,10 @@
 #include <CLI/CLI.hpp>
 #include <spdlog/spdlog.h>
 
+#include "app/application/application.h"
+#include "app/application/tap_script.h"
 #include "app/common/cli.h"
 #include "app/window.h"
-#include "app/work/application.h"
-#include "app/work/tap_script.h"
 #include "render/egl_context.h"
 #include "vision/core/file_io.h"
 #include "vision/design/design_reader.h"

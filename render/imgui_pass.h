@@ -1,5 +1,7 @@
 // Pass: Dear ImGui's draw lists. The one file of render/ that knows ImGui; no ImGui back end is
-// used. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// used.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include "render/offscreen.h"

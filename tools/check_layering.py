@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks who includes whom (DESIGN: includes only point up the list) and which library stays in which file.
+"""Checks who includes whom (ARCHITECTURE: includes only point up the list) and which library stays in which file.
 
 Prints one line an offence; exit 1 if there is any. Run: tools/check_layering.py [ROOT]
 """

@@ -38,7 +38,7 @@ std::string now_utc() {
   return text;
 }
 
-// DESIGN 4.1: 3 outranks the statuses.
+// ARCHITECTURE, Command lines: 3 outranks the statuses.
 int exit_code_of(const Inspection& inspection) {
   if (!inspection.alignment.found || inspection.alignment.ambiguous) return 3;
   if (inspection.status == Verdict::kNotOk) return 1;

@@ -1,5 +1,7 @@
 // Plays an untrusted .oni file to its end, so that what crashes or hangs is this and not the
-// program. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// program.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// camera.json and calibration files of DESIGN 4.3, read and written.
+// camera.json and calibration files of ARCHITECTURE, Files, read and written.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/common/json_file.h"

@@ -1,5 +1,7 @@
 // What every program of ours shares at its command line: --help, --version, --log-level, exit
-// codes. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// codes.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <functional>

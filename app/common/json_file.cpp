@@ -1,5 +1,7 @@
 // JSON from files of strangers: size and depth bounded, every error a sentence with the file's
-// name. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// name.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "app/common/json_file.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // JSON from files of strangers: size and depth bounded, every error a sentence with the file's
-// name. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// name.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <array>
@@ -29,8 +31,8 @@ constexpr int kJsonMaxDepth = 64;
 // replaced.
 [[nodiscard]] std::string json_text(const nlohmann::json& json);
 
-// pairs.json, pose.json, camera.json and calibration files of DESIGN 4.1 and 4.3. kBadInput names
-// the file and the key. Metres, each point in its own file's frame; three pairs or more.
+// pairs.json, pose.json, camera.json and calibration files of ARCHITECTURE, Interfaces. kBadInput
+// names the file and the key. Metres, each point in its own file's frame; three pairs or more.
 [[nodiscard]] Result<std::vector<PointPair>> read_pairs(const std::filesystem::path& path);
 // T_design_scan; scales, mirrors and shears are refused with that reason.
 [[nodiscard]] Result<Pose> read_pose(const std::filesystem::path& path);

@@ -1,5 +1,7 @@
-// pairs.json and pose.json of DESIGN 4.1: where the scan lies, as a person or another program says
-// it. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// pairs.json and pose.json of ARCHITECTURE, Command lines: where the scan lies, as a person or
+// another program says it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
 #include <Eigen/LU>

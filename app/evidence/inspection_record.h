@@ -1,5 +1,6 @@
 // All that one written inspection needs beside its findings: the inputs by name and hash, who
-// measured, in which units. SPDX-FileCopyrightText: SpoolSight contributors
+// measured, in which units.
+// SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 

@@ -1,6 +1,7 @@
-// report.json: the inspection for scripts and shops, as DESIGN 4.2 fixes it (schema
-// spoolsight-report/1). SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier:
-// Apache-2.0
+// report.json: the inspection for scripts and shops, as ARCHITECTURE, What inspect writes fixes it
+// (schema spoolsight- report/1).
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 
 #include <nlohmann/json.hpp>

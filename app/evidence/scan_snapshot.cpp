@@ -1,6 +1,7 @@
 // One scan as an inspection takes it: a cloud file, or one frame of a recording, with what the
-// report says of it. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier:
-// Apache-2.0
+// report says of it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "app/evidence/scan_snapshot.h"
 
 #include <algorithm>

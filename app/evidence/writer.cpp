@@ -1,4 +1,5 @@
-// Writes an inspection's folder: report.json, report.html, points.ply, overlay_*.png (DESIGN 4.2).
+// Writes an inspection's folder: report.json, report.html, points.ply, overlay_*.png (ARCHITECTURE,
+// What inspect writes).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/evidence/writer.h"

@@ -1,4 +1,5 @@
-// Writes an inspection's folder: report.json, report.html, points.ply, overlay_*.png (DESIGN 4.2).
+// Writes an inspection's folder: report.json, report.html, points.ply, overlay_*.png (ARCHITECTURE,
+// What inspect writes).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
@@ -27,7 +28,7 @@ struct OverlayPicture {
 // How the statuses of this version are decided: one or two sentences for reports.
 [[nodiscard]] std::string decision_rule();
 
-// report.json as DESIGN 4.2 fixes it (schema spoolsight-report/1).
+// report.json as ARCHITECTURE, What inspect writes fixes it (schema spoolsight-report/1).
 [[nodiscard]] std::string report_json(const InspectionRecord& record);
 // One offline file with the pictures inside.
 [[nodiscard]] std::string report_html(const InspectionRecord& record,

@@ -20,8 +20,9 @@ struct FrameProcessorOptions {
   std::size_t track_points = 6000;  // at most this many points go into the pose
   double near_design_m = 0.10;      // m; points this near the design's box take part in the pose
   double max_deviation_m = 0.03;    // m; further from the surface: not the object
-  double align_distance_m = 0.05;   // m; a picked pair may be this far off (DOMAIN 7: 5-20 mm)
-  double track_distance_m = 0.03;   // m; how far a surface may move from one frame to the next
+  double align_distance_m =
+      0.05;  // m; a picked pair may be this far off (5-20 mm: ARCHITECTURE, Taps)
+  double track_distance_m = 0.03;  // m; how far a surface may move from one frame to the next
   // Of the surface that should be seen, the share that must be for a pose to be good or to be
   // believed.
   double good_agreement = 0.7;

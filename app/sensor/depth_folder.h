@@ -1,4 +1,5 @@
-// The files of a depth folder (DESIGN 4.3): what lies in it, and writing one frame after another.
+// The files of a depth folder (ARCHITECTURE, Files): what lies in it, and writing one frame after
+// another.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once

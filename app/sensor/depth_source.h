@@ -49,9 +49,9 @@ struct SourceOptions {
   std::int64_t first_frame = 0;  // recordings: frames before it are skipped
 };
 
-// Opens "openni[:URI]", "FILE.oni", a depth folder or "simulated[:SCENE.json]" (DESIGN 4.1). A
-// sentence otherwise: kBadInput for files, kNoDevice for cameras, kUsage for a text that is none of
-// these.
+// Opens "openni[:URI]", "FILE.oni", a depth folder or "simulated[:SCENE.json]" (ARCHITECTURE,
+// Command lines). A sentence otherwise: kBadInput for files, kNoDevice for cameras, kUsage for a
+// text that is none of these.
 [[nodiscard]] Result<std::unique_ptr<DepthSource>> open_source(const std::string& text,
                                                                const SourceOptions& options = {});
 

@@ -12,7 +12,7 @@ namespace spool::sensor {
 
 using OpenedSource = Result<std::unique_ptr<DepthSource>>;
 
-// A folder with camera.json and depth/*.png (DESIGN 4.3).
+// A folder with camera.json and depth/*.png (ARCHITECTURE, Files).
 [[nodiscard]] OpenedSource open_depth_folder(const std::string& path, const SourceOptions& options);
 
 // A camera of OpenNI2's: its URI, or the first camera found where `uri` is empty.

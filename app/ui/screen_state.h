@@ -11,7 +11,7 @@ namespace spool::ui {
 
 enum class Screen { kAlign, kWork };
 
-// A status has its own outline and word; colour comes third (SCREEN.md).
+// A status has its own outline and word; colour comes third.
 enum class StatusMark { kOk, kSuspicious, kNotOk, kNotMeasured };
 
 // How well the camera's place is known.

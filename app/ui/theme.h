@@ -12,7 +12,7 @@
 
 namespace spool::ui {
 
-// SCREEN.md's colours on dark.
+// The colours on dark.
 inline constexpr ImU32 kOkColour = IM_COL32(0x2B, 0xB9, 0x8A, 255);
 inline constexpr ImU32 kSuspiciousColour = IM_COL32(0xF0, 0xB4, 0x29, 255);
 inline constexpr ImU32 kNotOkColour = IM_COL32(0xFF, 0x6B, 0x4A, 255);

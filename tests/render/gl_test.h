@@ -1,5 +1,7 @@
-// The fixture of tests that need a GL context: one a suite, skipped with the reason where there is
-// none. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// The fixture of tests that need a GL context: one a suite, skipped with the reason where there
+// is none.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <optional>

@@ -1,5 +1,7 @@
 // What the overlay shows, asserted in numbers: the pictures' numbers stand beside their goldens
-// too. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// too.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <limits>
 

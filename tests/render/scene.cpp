@@ -1,5 +1,7 @@
 // A small spool made from formulas, and what a depth camera would see of it: what the pictures
-// show. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// show.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "tests/render/scene.h"
 
 #include <algorithm>

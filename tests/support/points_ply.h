@@ -11,7 +11,7 @@
 
 namespace spool::test {
 
-// A row as DESIGN 4.2 orders it.
+// A row as ARCHITECTURE, What inspect writes orders it.
 struct PointsRow {
   std::array<float, 3> position = {};  // m
   std::uint8_t object = 0;

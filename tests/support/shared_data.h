@@ -1,5 +1,7 @@
-// Where tests find files: the repository's own, the built programs, and third-party data beside the
-// checkout. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// Where tests find files: the repository's own, the built programs, and third-party data beside
+// the checkout.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,7 @@
-// spoolsight-inspect with a bare cloud as the design, as the thesis uses it: a real sensor's scene
-// with clutter. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// spoolsight-inspect with a bare cloud as the design, as the thesis uses it: a real sensor's
+// scene with clutter.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
 #include <cmath>

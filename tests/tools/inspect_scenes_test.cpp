@@ -1,5 +1,7 @@
 // spoolsight-inspect on the simulated scenes: formats and conventions agree with somebody else's
-// generator. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// generator.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -193,8 +195,8 @@ TEST(HandheldScene, GivesTheSensorsNoiseOnUndisturbedPartsOfOneFrame) {
     const auto& found = run.report["parts"][static_cast<std::size_t>(part)];
     if (found["points"] < 200) continue;
     ++looked_at;
-    // 1.2 to 2.4 mm of axial noise at 0.6 to 1.2 m (DOMAIN 6), edges fattened by a pixel or
-    // two: 1.5 mm.
+    // 1.2 to 2.4 mm of axial noise at 0.6 to 1.2 m (ARCHITECTURE, The sensor), edges fattened by a
+    // pixel or two: 1.5 mm.
     EXPECT_LT(found["deviation"]["rms_m"].get<double>(), 0.006) << found["name"];
     EXPECT_LT(std::abs(found["deviation"]["mean_m"].get<double>()), 0.004) << found["name"];
   }

@@ -1,5 +1,7 @@
-// A design of two boxes and a scan of it, made by hand: enough to run the programs without any data
-// beside. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// A design of two boxes and a scan of it, made by hand: enough to run the programs without any
+// data beside.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <filesystem>

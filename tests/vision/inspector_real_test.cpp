@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // 2 mm along the ray and 0.6 mm a station; across a surface seen aslant less of it.
         PoseCase{"ps_laser", 0.0021, 0.97, 0.99}, PoseCase{"bf_laser", 0.0021, 0.88, 0.99},
-        // 1.3 to 2.4 mm at 0.6 to 1.2 m, and steps of 1.0 to 4.2 mm (DOMAIN 6).
+        // 1.3 to 2.4 mm at 0.6 to 1.2 m, and steps of 1.0 to 4.2 mm (ARCHITECTURE, The sensor).
         PoseCase{"spool1_handheld", 0.0032, 0.97, 0.85},
         // A quarter of its points is an arm turned by 90 degrees that this declutter cannot keep.
         PoseCase{"spool2_laser_defect", 0.0022, 0.97, 0.70}),

@@ -1,5 +1,7 @@
 // The main path end to end on spools made from formulas: what is found, what is refused, what is
-// never said. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// never said.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "vision/inspector.h"
 
 #include <cmath>

@@ -1,5 +1,7 @@
-// spoolsight-bench: runs the registered benchmarks; google-benchmark's own flags choose which and
-// how. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// spoolsight-bench: runs the registered benchmarks; google-benchmark's own flags choose which
+// and how.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
 #include <string>
 #include <string_view>

@@ -1,5 +1,7 @@
 // How long the design's surface takes: 300 000 deviations against 100 000 triangles, building,
-// sampling. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// sampling.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -68,7 +70,7 @@ std::vector<Eigen::Vector3f> readings(bool in_order) {
   return points;
 }
 
-// DESIGN 6: under 100 ms on two cores. Argument: whether the readings come in image order.
+// The budget: under 100 ms on two cores. Argument: whether the readings come in image order.
 void deviation_of_300k_readings(benchmark::State& state) {
   const DesignModel design = ring_design();
   const Result<DesignSurface> surface = DesignSurface::build(design);

@@ -54,7 +54,7 @@ struct Trajectory {
   Pose T_map_camera = Pose::Identity();  // of a fixed one
 };
 
-// The simulated depth camera (DOMAIN 6).
+// The simulated depth camera (ARCHITECTURE, The sensor).
 struct SensorSettings {
   Camera camera;
   double frames_per_second = 30;

@@ -1,4 +1,4 @@
-// From what is there to what a structured-light sensor says is there (DOMAIN 6).
+// From what is there to what a structured-light sensor says is there (ARCHITECTURE, The sensor).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once

@@ -12,9 +12,9 @@
 namespace spool::simulator {
 
 // {schema, design, T_map_design, parts[], joints[], frames[]}, the conventions of report.json
-// (DESIGN 4.2): a part's pose_error is inverse(nominal) * as built in its own frame seen from the
-// datum, a joint's error that of b's port seen from a's port as built; translation (m) and rotation
-// vector (rad).
+// (ARCHITECTURE, What inspect writes): a part's pose_error is inverse(nominal) * as built in its
+// own frame seen from the datum, a joint's error that of b's port seen from a's port as built;
+// translation (m) and rotation vector (rad).
 [[nodiscard]] nlohmann::json truth_json(const Simulator& simulator, std::int64_t frames);
 
 }  // namespace spool::simulator

@@ -32,7 +32,7 @@ struct PairsAlignment {
 };
 
 struct PairsOptions {
-  double max_residual_m = 0.05;    // m; a tap is off by 5-20 mm (DOMAIN 7)
+  double max_residual_m = 0.05;    // m; a tap is off by 5-20 mm (ARCHITECTURE, Taps)
   double min_separation_m = 0.02;  // m between any two picks
   double min_spread_ratio = 0.05;  // smaller over larger spread of the triple; below: collinear
 };

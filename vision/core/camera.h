@@ -9,7 +9,8 @@
 
 namespace spool {
 
-// What a gauge check or a calibration found. Without one, scale_u is half a percent (DESIGN 4.3).
+// What a gauge check or a calibration found. Without one, scale_u is half a percent (ARCHITECTURE,
+// Files).
 struct Calibration {
   std::string id;          // empty: uncalibrated
   std::string date;        // ISO 8601

@@ -11,7 +11,7 @@
 namespace spool {
 
 // What kind of thing in the outside world failed. The numbers are the programs' exit codes
-// (sysexits), fixed by DESIGN 4.1.
+// (sysexits), fixed by ARCHITECTURE, Command lines.
 enum class ErrorCode {
   kUsage = 64,     // the command line makes no sense
   kBadInput = 65,  // a file is missing, damaged, hostile or of the wrong kind

@@ -1,5 +1,7 @@
 // The point of a triangle closest to the origin, and whether it lies inside, on an edge or at a
-// corner. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// corner.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <Eigen/Core>

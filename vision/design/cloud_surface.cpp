@@ -1,5 +1,7 @@
-// Distance to a bare design cloud: to the plane blended from the nearest design points, not to the
-// points. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// Distance to a bare design cloud: to the plane blended from the nearest design points, not to
+// the points.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
 #include <limits>

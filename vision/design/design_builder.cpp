@@ -1,5 +1,7 @@
-// From what a reader found in a file to a DesignModel: one frame, one origin, one mesh, names told
-// apart. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// From what a reader found in a file to a DesignModel: one frame, one origin, one mesh, names
+// told apart.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "vision/design/design_builder.h"
 
 #include <cassert>

@@ -35,7 +35,7 @@ enum class PartKind {
   kStructure,
   kOther
 };
-[[nodiscard]] std::string_view name(PartKind kind);  // as DESIGN 4.3 spells it
+[[nodiscard]] std::string_view name(PartKind kind);  // as ARCHITECTURE, Files spells it
 [[nodiscard]] std::optional<PartKind> parse_part_kind(std::string_view text);
 
 enum class EndType { kButtWeld, kFlanged, kSocketWeld, kScrewed, kPlain };

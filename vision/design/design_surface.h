@@ -31,8 +31,7 @@ struct RayHit {
 };
 
 // Immutable; const queries from many threads. Embree over triangles; for a cloud design the local
-// plane through the nearest design points (so that sampling spacing does not show; DOMAIN 8.2, trap
-// 4).
+// plane through the nearest design points (so that sampling spacing does not show).
 class DesignSurface {
  public:
   // Builds over `design`, which must outlive it. kBadInput where there is nothing to build over.

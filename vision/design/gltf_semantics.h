@@ -1,4 +1,4 @@
-// What extras.spoolsight says of a glTF's nodes and scene (DESIGN 4.3).
+// What extras.spoolsight says of a glTF's nodes and scene (ARCHITECTURE, Files).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once

@@ -1,5 +1,7 @@
 // Fields of an object in a glTF's extras: a value of the right type, or a warning that names the
-// field. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// field.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,7 @@
 // Normals that give the right sign of distance everywhere on a mesh: sums over welded edges and
-// corners. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// corners.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "vision/design/pseudonormals.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // Poisson-disk samples: an even pool of candidates, thrown as darts, at a radius sought for the
-// count. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// count.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "vision/design/sampling.h"
 
 #include <algorithm>

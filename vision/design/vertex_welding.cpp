@@ -1,5 +1,7 @@
 // Vertices that lie on one another become one: a hashed grid whose cells are far larger than the
-// tolerance. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// tolerance.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "vision/design/vertex_welding.h"
 
 #include <algorithm>

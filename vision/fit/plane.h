@@ -22,7 +22,7 @@ struct PlaneFit {
   // How far the true plane may be from this one, seen at that origin: shift along z (m), rotation
   // about x and about y (rad). The value is zero; the three are uncorrelated there. Points count as
   // independent: neighbours of a depth camera are not, and the caller divides their number
-  // accordingly (DOMAIN 6).
+  // accordingly (ARCHITECTURE, The sensor).
   Estimate<3> error;
   double sigma_m = 0;                  // m, standard deviation of the used points about the plane
   double rms_m = 0;                    // m, of the used points' distances

@@ -31,8 +31,8 @@ float farthest_distance(const CloudView& a, const CloudView& b) {
 
 int k_closed_form(std::size_t scene_points, std::size_t model_points) {
   // Eq. 5.5 on inputs standardised by Table 5-3's means and deviations, to the digits that the
-  // refit gives (DOMAIN 1.6 A10). The table attaches 2.706 to M and 2.05 to S; its data say the
-  // reverse.
+  // refit gives (ARCHITECTURE, The thesis's numbers). The table attaches 2.706 to M and 2.05 to S;
+  // its data say the reverse.
   const double scene = (static_cast<double>(scene_points) - 93305.0) / 36760.0;
   const double model = (static_cast<double>(model_points) - 10583.0) / 1533.4;
   return at_least_one(9.143 + 2.706 * scene + 2.045 * model);

@@ -30,13 +30,13 @@ struct DeclutterResult {
   std::size_t object = 0, clutter = 0, contradicting = 0;
 };
 
-// K of eq. 5.5 with its standardised inputs: 9.14 + 2.706 S' + 2.05 M' (the slopes as DOMAIN 1.6
-// A10 found them: 2.706 belongs to the scene), at least 1.
+// K of eq. 5.5 with its standardised inputs: 9.14 + 2.706 S' + 2.05 M' (2.706 belongs to the
+// scene: ARCHITECTURE, The thesis's numbers), at least 1.
 [[nodiscard]] int k_closed_form(std::size_t scene_points, std::size_t model_points);
-// K = S / M rounded, at least 1 (appendix A; the thesis's table writes it M/S, audit A5).
+// K = S / M rounded, at least 1 (appendix A; the thesis's table writes it M/S).
 [[nodiscard]] int k_ratio(std::size_t scene_points, std::size_t model_points);
 
-// The union of the K nearest scan points of every model point, each once (audit A9). Both clouds in
+// The union of the K nearest scan points of every model point, each once. Both clouds in
 // the design frame. Points that are not finite are clutter.
 [[nodiscard]] DeclutterResult declutter_knn(const CloudView& scan, const CloudView& model_samples,
                                             const DeclutterOptions& options = {});

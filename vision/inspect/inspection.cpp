@@ -8,7 +8,7 @@
 namespace spool {
 namespace {
 
-// Place in the order of DESIGN 4.1, the worst first.
+// Place in the order of ARCHITECTURE, Command lines, the worst first.
 int rank(Verdict verdict) {
   switch (verdict) {
     case Verdict::kNotOk:

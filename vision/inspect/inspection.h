@@ -21,7 +21,7 @@ namespace spool {
 enum class Verdict { kOk, kSuspicious, kNotOk, kNotMeasured };
 [[nodiscard]] std::string_view name(
     Verdict verdict);  // "ok", "suspicious", "not_ok", "not_measured"
-// The worse of two in the order not_ok, suspicious, not_measured, ok (DESIGN 4.1).
+// The worse of two in the order not_ok, suspicious, not_measured, ok (ARCHITECTURE, Command lines).
 [[nodiscard]] Verdict worse(Verdict a, Verdict b);
 
 enum class AlignMethod { kPose, kThreePoint, kPrincipalAxes, kFind };

@@ -16,7 +16,8 @@
 namespace spool {
 namespace {
 
-constexpr double kPickError = 0.010;  // m in each coordinate; a tap is off by 5-20 mm (DOMAIN 7)
+constexpr double kPickError =
+    0.010;  // m in each coordinate; a tap is off by 5-20 mm (ARCHITECTURE, Taps)
 constexpr double kMinReach = 0.03, kMaxReach = 0.20;  // m
 constexpr std::size_t kRefinementPoints = 30000;
 constexpr int kNormalNeighbours = 12;

@@ -34,7 +34,7 @@ struct Placement {
 };
 
 // What the method itself gives before anything is refined. Reach of pairs: what picks some 10 mm
-// off (DOMAIN 7: 5-20 mm) do to the far end of the design.
+// off (5-20 mm: ARCHITECTURE, Taps) do to the far end of the design.
 [[nodiscard]] Placement place_scan(const AlignRequest& request, const DesignModel& design,
                                    const Eigen::Vector3d& scan_origin);
 

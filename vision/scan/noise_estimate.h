@@ -10,7 +10,7 @@ namespace spool {
 // Standard deviation (m) of the points across their surface: the median over some two thousand
 // places of the residual about a quadric height field through the nearest neighbours, so that
 // neither curvature nor edges nor clutter count as noise. At least 0.1 mm: paint and mill scale are
-// not smoother (DOMAIN 3.4), and a sampled CAD surface would else claim perfection. 0.1 mm too
+// not smoother, and a sampled CAD surface would else claim perfection. 0.1 mm too
 // where there are too few points to tell.
 [[nodiscard]] double estimate_noise(const CloudView& cloud);
 

@@ -1,4 +1,4 @@
-// How far a depth reading may be off at random, by range and incidence (DOMAIN 6).
+// How far a depth reading may be off at random, by range and incidence (ARCHITECTURE, The sensor).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once

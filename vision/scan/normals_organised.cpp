@@ -20,15 +20,17 @@ using Float4 = float __attribute__((vector_size(16)));  // g++ and clang both, o
 using Mask4 = std::int32_t __attribute__((vector_size(16)));
 
 constexpr std::size_t kLanes = 4;
-constexpr std::size_t kRadius = 6;    // px, half the window: 13 px, some 11 mm at 0.5 m
-constexpr std::size_t kNear = 3;      // px, half the window of the first look
-constexpr std::size_t kStride = 2;    // px; next pixels share their correlation window (DOMAIN 6)
-constexpr float kNone = -1e30F;       // inverse depth of no measurement: far from every gate
-constexpr float kSteepest = 3.7321F;  // tan 75 deg: beyond it the sensor sees nothing (DOMAIN 6)
-constexpr double kSigmas = 3.0;       // of the difference of two readings
-constexpr float kLateralPx = 0.8F;    // px, lateral noise head on (DOMAIN 6)
-constexpr float kFewest = 6.0F;       // readings for a plane and something to check it by
-constexpr float kSpread = 4.0F;       // px^4, least determinant of the window's scatter: no line
+constexpr std::size_t kRadius = 6;  // px, half the window: 13 px, some 11 mm at 0.5 m
+constexpr std::size_t kNear = 3;    // px, half the window of the first look
+constexpr std::size_t kStride =
+    2;  // px; next pixels share their correlation window (ARCHITECTURE, The sensor)
+constexpr float kNone = -1e30F;  // inverse depth of no measurement: far from every gate
+constexpr float kSteepest =
+    3.7321F;  // tan 75 deg: beyond it the sensor sees nothing (ARCHITECTURE, The sensor)
+constexpr double kSigmas = 3.0;     // of the difference of two readings
+constexpr float kLateralPx = 0.8F;  // px, lateral noise head on (ARCHITECTURE, The sensor)
+constexpr float kFewest = 6.0F;     // readings for a plane and something to check it by
+constexpr float kSpread = 4.0F;     // px^4, least determinant of the window's scatter: no line
 
 Float4 load(const float* at) {
   Float4 four;

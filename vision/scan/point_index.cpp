@@ -117,7 +117,7 @@ PointIndex::PointIndex(std::span<const Eigen::Vector3f> points) : PointIndex() {
     impl_->box.extend(points[i]);
   }
   if (cloud.points.empty()) return;
-  constexpr std::size_t kLeafPoints = 10;  // fastest queries of those tried (STACK 7)
+  constexpr std::size_t kLeafPoints = 10;  // fastest queries of those tried
   impl_->tree =
       std::make_unique<Tree>(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafPoints));
 

@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "render/image.h"
+#include "tests/app/application/robot_fitter.h"
 #include "tests/app/e2e/bracket_files.h"
 #include "tests/app/e2e/running_program.h"
 #include "tests/app/runner/simulated_scene.h"
-#include "tests/app/work/robot_fitter.h"
 #include "tests/support/process.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"

@@ -1,5 +1,7 @@
-// The part of JSON Schema 2020-12 that the report's schema uses, to check reports without another
-// package. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// The part of JSON Schema 2020-12 that the report's schema uses, to check reports without
+// another package.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #pragma once
 
 #include <string>

@@ -57,7 +57,8 @@ TEST(ReportHtml, SaysStatusReasonPartsAndInputs) {
 }
 
 TEST(ReportHtml, PutsTheWorstPartFirst) {
-  // suspicious outranks not_measured (DESIGN 4.1), so "base" comes first; made worse, "post" does.
+  // suspicious outranks not_measured (ARCHITECTURE, Command lines), so "base" comes first; made
+  // worse, "post" does.
   auto record = test::sample_record();
   std::string html = report_html(record, {});
   EXPECT_LT(html.find("<b>base</b>"), html.find("<b>post</b>"));

@@ -1,5 +1,7 @@
-// .oni files through OpenNI2 itself: what is recorded plays back bit for bit, what is damaged hurts
-// nobody. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// .oni files through OpenNI2 itself: what is recorded plays back bit for bit, what is damaged
+// hurts nobody.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <csignal>
 #include <cstdlib>
 #include <fstream>

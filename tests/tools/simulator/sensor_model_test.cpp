@@ -1,4 +1,4 @@
-// The simulated sensor against the published formulas (DOMAIN 6).
+// The simulated sensor against the published formulas (ARCHITECTURE, The sensor).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/simulator/sensor_model.h"
@@ -93,7 +93,7 @@ TEST(SensorModel, StepsByAnEighthOfAPixelOfDisparity) {
 TEST(SensorModel, StepSizeIsTheTextbooksAtFullResolution) {
   const auto simulator = open_scene(R"("clutter": [)" + plate(1.0) + "]");
   ASSERT_TRUE(simulator);
-  // DOMAIN 6: 2.9 mm at 1 m, 0.72 mm at 0.5 m for f = 575 px and 75 mm.
+  // ARCHITECTURE, The sensor: 2.9 mm at 1 m, 0.72 mm at 0.5 m for f = 575 px and 75 mm.
   EXPECT_NEAR(quantisation_step_m(simulator->scene().sensor, 1.0), 0.0029, 1e-5);
   EXPECT_NEAR(quantisation_step_m(simulator->scene().sensor, 0.5), 0.00072, 1e-5);
 }

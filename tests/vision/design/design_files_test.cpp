@@ -1,5 +1,7 @@
 // Real and hostile files of other people: counts and sizes as their README has them, nothing
-// crashes. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// crashes.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <fstream>
 #include <map>
 #include <set>

@@ -1,4 +1,4 @@
-// extras.spoolsight read as DESIGN 4.3 has it; what is wrong there warns, by node and key.
+// extras.spoolsight read as ARCHITECTURE, Files has it; what is wrong there warns, by node and key.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>

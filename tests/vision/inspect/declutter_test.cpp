@@ -21,8 +21,7 @@ std::vector<Eigen::Vector3f> random_points(std::size_t count, float size, std::m
 
 TEST(Declutter, ClosedFormGivesThePlaneOfTheThesisOnItsOwnTable) {
   // Sizes of Table 5-4. By hand 10.2 14.9 6.3 7.9 10.6 8.6 5.5, whose mean is a0 = 9.143 as it must
-  // be; the audit's list (DOMAIN 1.6 A13: 10.4 15.1 6.4 8.1 10.7 8.7 5.6) is 0.14 higher
-  // throughout.
+  // be. (The thesis prints 10 11 9 14 12 13 15, which are not its plane's.)
   struct Row {
     std::size_t scene, model;
     int k;
@@ -36,7 +35,7 @@ TEST(Declutter, ClosedFormGivesThePlaneOfTheThesisOnItsOwnTable) {
 }
 
 TEST(Declutter, RatioIsSceneOverModel) {
-  EXPECT_EQ(k_ratio(81272, 12061), 7);  // Table 5-1's "M/S" row (audit A5)
+  EXPECT_EQ(k_ratio(81272, 12061), 7);  // Table 5-1's "M/S" row (it is S/M)
   EXPECT_EQ(k_ratio(100, 12061), 1);
   EXPECT_EQ(k_ratio(100, 0), 1);
 }

@@ -1,5 +1,7 @@
 // Tests of cloud files: every format gives the same cloud, units and origins, what is written is
-// read. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// read.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include "vision/scan/cloud_file.h"
 
 #include <clocale>

@@ -1,5 +1,7 @@
-// Files of strangers: their points counted, a real depth frame against the cloud its maker made of
-// it. SPDX-FileCopyrightText: SpoolSight contributors SPDX-License-Identifier: Apache-2.0
+// Files of strangers: their points counted, a real depth frame against the cloud its maker made
+// of it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <filesystem>
 

@@ -1,7 +1,7 @@
 // The three-point alignment as the fitter does it.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/align_session.h"
+#include "app/application/align_session.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Claims about what a tap means.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/picking.h"
+#include "app/application/picking.h"
 
 #include <limits>
 

@@ -1,14 +1,14 @@
 // The application's loop body: states and input in, one picture out.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/application.h"
+#include "app/application/application.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <imgui.h>
 
-#include "app/work/picking.h"
+#include "app/application/picking.h"
 #include "render/embedded_files.h"
 
 namespace spool {

@@ -1,7 +1,7 @@
 // What a tap on a picture means.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/picking.h"
+#include "app/application/picking.h"
 
 #include <cmath>
 #include <limits>

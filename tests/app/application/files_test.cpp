@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/work/job_thread.h"
-#include "app/work/pose_table.h"
-#include "app/work/tap_script.h"
+#include "app/application/job_thread.h"
+#include "app/application/pose_table.h"
+#include "app/application/tap_script.h"
 #include "tests/support/temporary_folder.h"
 
 namespace spool {

@@ -1,7 +1,7 @@
 // One picture's eye.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/view_control.h"
+#include "app/application/view_control.h"
 
 #include <algorithm>
 #include <numbers>

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "app/work/application.h"
+#include "app/application/application.h"
 
 namespace spool {
 

@@ -1,7 +1,7 @@
 // TAPS.json.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/tap_script.h"
+#include "app/application/tap_script.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,7 +1,7 @@
 // One thread that does jobs in the order given and loses none.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/job_thread.h"
+#include "app/application/job_thread.h"
 
 #include <cassert>
 #include <chrono>

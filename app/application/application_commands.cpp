@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "app/application/application.h"
+#include "app/application/picking.h"
 #include "app/evidence/writer.h"
-#include "app/work/application.h"
-#include "app/work/picking.h"
 #include "vision/core/file_digest.h"
 #include "vision/core/file_io.h"
 #include "vision/scan/back_projection.h"

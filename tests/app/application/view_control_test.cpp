@@ -1,7 +1,7 @@
 // Laws of turning, panning and zooming an eye.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/view_control.h"
+#include "app/application/view_control.h"
 
 #include <numbers>
 

@@ -1,4 +1,5 @@
-// TAPS.json: fingers on the glass, by time, as fractions of the window (DESIGN 4.1).
+// TAPS.json: fingers on the glass, by time, as fractions of the window (ARCHITECTURE, Command
+// lines).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once

@@ -1,7 +1,7 @@
 // Claims about picks: what is lit, what undo takes back, what is refused.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/align_session.h"
+#include "app/application/align_session.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// poses.csv: where the camera was in every frame (DESIGN 4.1).
+// poses.csv: where the camera was in every frame (ARCHITECTURE, Command lines).
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once

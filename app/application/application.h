@@ -11,16 +11,16 @@
 #include <string>
 #include <vector>
 
+#include "app/application/align_session.h"
+#include "app/application/job_thread.h"
+#include "app/application/picture.h"
+#include "app/application/pose_table.h"
+#include "app/application/view_control.h"
 #include "app/runner/command_queue.h"
 #include "app/runner/feed.h"
 #include "app/ui/gestures.h"
 #include "app/ui/input_queue.h"
 #include "app/ui/panels.h"
-#include "app/work/align_session.h"
-#include "app/work/job_thread.h"
-#include "app/work/picture.h"
-#include "app/work/pose_table.h"
-#include "app/work/view_control.h"
 #include "vision/core/result.h"
 #include "vision/inspector.h"
 

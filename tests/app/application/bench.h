@@ -11,10 +11,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/work/application.h"
+#include "app/application/application.h"
 #include "render/egl_context.h"
+#include "tests/app/application/robot_fitter.h"
 #include "tests/app/runner/simulated_scene.h"
-#include "tests/app/work/robot_fitter.h"
 #include "tests/support/temporary_folder.h"
 
 namespace spool::test {

@@ -1,7 +1,7 @@
 // Taps as a fitter would.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/app/work/robot_fitter.h"
+#include "tests/app/application/robot_fitter.h"
 
 #include <algorithm>
 #include <cmath>

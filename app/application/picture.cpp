@@ -1,7 +1,7 @@
 // Draws one screen's pictures and the panels into one target.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/picture.h"
+#include "app/application/picture.h"
 
 #include <algorithm>
 #include <cmath>

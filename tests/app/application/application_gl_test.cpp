@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/work/application.h"
+#include "app/application/application.h"
 #include "render/image.h"
-#include "tests/app/work/bench.h"
+#include "tests/app/application/bench.h"
 
 namespace spool {
 namespace {

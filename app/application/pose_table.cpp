@@ -1,7 +1,7 @@
 // poses.csv.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/work/pose_table.h"
+#include "app/application/pose_table.h"
 
 #include <iterator>
 
