@@ -17,6 +17,7 @@ namespace {
 constexpr double kNeutralLeast = 0.0005;  // m
 constexpr float kFrameSeconds = 1.0F / 30.0F;
 constexpr double kDesignFovDeg = 35.0;
+constexpr double kDesignMargin = 0.05;  // of its size: marks at its edge stay in the picture
 constexpr double kLeastPointPx = 2.0;
 constexpr double kMostPointPx = 12.0;
 }  // namespace
@@ -174,7 +175,10 @@ std::vector<ScenePicture> Application::scenes() {
   };
   std::vector<ScenePicture> out;
   if (screen_ == ui::Screen::kAlign) {
-    const Eigen::AlignedBox3d bounds = in_.design->model.bounds();
+    Eigen::AlignedBox3d bounds = in_.design->model.bounds();
+    const Eigen::Vector3d margin =
+        Eigen::Vector3d::Constant(kDesignMargin * bounds.diagonal().norm());
+    bounds = Eigen::AlignedBox3d(bounds.min() - margin, bounds.max() + margin);
     const auto [width, height] = whole(layout_.design_view);
     if (!design_eye_.is_started()) {
       // As near to upright as the look allows: the axis of the design least along it points up.

@@ -30,13 +30,14 @@ TEST(Picking, TakesTheNearestPointOfTheForemostSurface) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const std::vector<Eigen::Vector3f> points{
       at(80, 60, 2.0),   // exactly under the finger, but the floor behind
-      at(83, 60, 1.0),   // the steel, 3 px off
+      at(82, 60, 1.0),   // the steel, 2 px off
       at(85, 60, 1.01),  // the steel too, 5 px off
       at(80, 60, -1.0),  // behind the eye
       {nan, nan, nan},
   };
   EXPECT_EQ(pick_point(points, view, 80, 60, 9), 1U);
-  EXPECT_EQ(pick_point(points, view, 80, 60, 2), 0U) << "nothing nearer within the slop";
+  EXPECT_EQ(pick_point(points, view, 80, 60, 1.5), 0U) << "nothing nearer within the slop";
+  EXPECT_EQ(pick_point(points, view, 86, 60, 3), 2U) << "what is right under the finger";
   EXPECT_EQ(pick_point(points, view, 20, 20, 9), std::nullopt);
 }
 
@@ -53,15 +54,24 @@ TEST(Picking, ATapOnTheDrawingIsThePointOfItsSurface) {
   EXPECT_FALSE(pick_design(design->model, *design->surface, {}, view, 2, 2, 3).has_value());
 }
 
-TEST(Picking, ALandmarkWithinTheSlopIsMeantItself) {
+TEST(Picking, ATapJustBesideTheDrawingMeansTheLandmarkThere) {
   const auto design = test::prepared_bracket();
   const render::View view = view_at(test::T_design_camera());
-  const std::vector<Landmark> landmarks{{{0.36, 0.12, 0.14}, 2, "post, outermost point"}};
+  const std::vector<Landmark> landmarks{{{0.0, 0.2, 0.2}, 1, "arm, outermost point"}};
   const auto spot = render::project(view, landmarks[0].position);
-  const auto hit =
-      pick_design(design->model, *design->surface, landmarks, view, spot.x + 4, spot.y, 9);
-  ASSERT_TRUE(hit.has_value());
-  EXPECT_EQ(hit->text, "post, outermost point");
+  int beside = 0;
+  for (const auto& [dx, dy] :
+       {std::pair(4, 0), std::pair(-4, 0), std::pair(0, 4), std::pair(0, -4)}) {
+    const auto pick = [&](std::span<const Landmark> known) {
+      return pick_design(design->model, *design->surface, known, view, spot.x + dx, spot.y + dy, 9);
+    };
+    const auto plain = pick({});
+    const auto hit = pick(landmarks);
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_EQ(hit->text, plain ? "arm, where you tapped" : "arm, outermost point");
+    beside += !plain;
+  }
+  EXPECT_GT(beside, 0) << "the landmark is on the outline";
 }
 
 }  // namespace

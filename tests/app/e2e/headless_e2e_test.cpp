@@ -195,6 +195,55 @@ TEST(Headless, TracksAHandHeldRecordingToItsTruth) {
   EXPECT_LT(worst_rad, 0.03);
 }
 
+// The sample that the program comes with, by the script it comes with. SPOOL_UPDATE_SAMPLE_TAPS=1
+// writes that script anew, as after a change of the layout.
+TEST(Headless, TheSamplesTapsAlignItsRecording) {
+  SPOOL_SKIP_WITHOUT_GL();
+  const std::filesystem::path sample = test::source_dir() / "assets" / "sample";
+  json truth;
+  std::ifstream(sample / "recording" / "truth.json") >> truth;
+  const auto pose = [](const json& numbers) {
+    return pose_from_row_major(numbers.get<std::vector<double>>()).value_or(Pose::Identity());
+  };
+  const auto T_design_camera = [&](std::size_t i) -> Pose {
+    return pose(truth["T_map_design"]).inverse() * pose(truth["frames"][i]["T_map_camera"]);
+  };
+  auto model = read_design(sample / "spool.glb");
+  ASSERT_TRUE(model.has_value());
+  auto design = PreparedDesign::prepare(std::move(*model));
+  ASSERT_TRUE(design.has_value());
+  const test::TemporaryFolder folder;
+  const std::vector<std::string> inputs{"--design", (sample / "spool.glb").string(), "--source",
+                                        (sample / "recording").string()};
+  if (std::getenv("SPOOL_UPDATE_SAMPLE_TAPS") != nullptr) {
+    auto source = sensor::open_source((sample / "recording").string());
+    ASSERT_TRUE(source.has_value());
+    auto first = (*source)->next(std::chrono::milliseconds(1000));
+    ASSERT_TRUE(first.has_value() && first->frame);
+    static_cast<void>(align_by_taps(folder.path(), inputs, **design, (*source)->camera(),
+                                    *first->frame, T_design_camera(0), "1280x800"));
+    std::filesystem::copy_file(folder.path() / "taps.json", sample / "taps.json",
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  const std::filesystem::path out = folder.path() / "sample", track = folder.path() / "sample.csv";
+  std::vector<std::string> words = inputs;
+  words.insert(words.end(), {"--headless", "--script", (sample / "taps.json").string(), "--track",
+                             track.string(), "--out", out.string()});
+  const auto result = test::run(test::program("spoolsight"), words);
+  ASSERT_EQ(result.code, 0) << result.err;
+  const Eigen::Vector3d centre = (*design)->model.bounds().center();
+  const auto rows = read_track(track);
+  ASSERT_EQ(rows.size(), truth["frames"].size());
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    ASSERT_NE(rows[i].quality, "lost") << i;
+    // 2 mm noise, and a branch turned by 5 degrees that a best fit gives way to a little.
+    const Pose error = *rows[i].T * T_design_camera(i).inverse();
+    EXPECT_LT((error * centre - centre).norm(), 0.005) << i;
+    EXPECT_LT(pose_size(error).rotation_rad, 0.03) << i;
+  }
+  EXPECT_TRUE(std::filesystem::exists(out / "report.json"));
+}
+
 struct Refusal {
   std::string name;
   std::vector<std::string> arguments;
