@@ -16,6 +16,7 @@ namespace spool::sensor {
                                               const SourceOptions& options);
 
 // Records frames to an .oni file, through a device of our plug-in that passes on what it is given.
+// One thread.
 class OniWriter {
  public:
   virtual ~OniWriter() = default;
