@@ -49,7 +49,8 @@ bool has_finite_point(const PointCloud& scan) {
 }  // namespace
 
 Result<std::shared_ptr<const PreparedDesign>> PreparedDesign::prepare(DesignModel model,
-                                                                      std::uint32_t seed) {
+                                                                      std::uint32_t seed,
+                                                                      bool to_be_found) {
   auto prepared = std::make_shared<PreparedDesign>();
   prepared->model = std::move(model);
   Result<DesignSurface> whole = DesignSurface::build(prepared->model);
@@ -60,6 +61,9 @@ Result<std::shared_ptr<const PreparedDesign>> PreparedDesign::prepare(DesignMode
   prepared->surface = std::make_unique<DesignSurface>(std::move(*surface));
   prepared->samples = seen_samples(sample_surface(prepared->exterior, kModelSamples, seed),
                                    prepared->model, *whole);
+  if (to_be_found)
+    prepared->finder = std::make_unique<FinderModel>(
+        FinderModel::prepare(prepared->exterior, *prepared->surface, prepared->samples, seed));
   return std::shared_ptr<const PreparedDesign>(std::move(prepared));
 }
 
@@ -74,9 +78,12 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   StageClock clock(inspection.timing_s);
 
   // Where the picks, the pose or nothing put the scan.
-  const AlignRequest request{options.align, options.pairs, options.T_design_scan};
-  const Placement placement = place_scan(request, design, scan.origin);
-  const double noise_m = typical_noise_m(scan, noise);
+  const AlignRequest request{options.align, options.pairs, options.T_design_scan,
+                             design_->finder.get(), options.seed};
+  const Placement placement =
+      place_scan(request, design, scan, typical_noise_m(scan, noise), watch);
+  const double noise_m = placement.noise_m;
+  clock.mark(options.align == AlignMethod::kFind ? "find" : "place");
   // What the refinement looks at: points near the design there, with normals.
   const PointCloud near = refinement_cloud(scan, *design_->surface, placement);
   clock.mark("normals");

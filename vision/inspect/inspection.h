@@ -38,7 +38,8 @@ struct Alignment {
   std::vector<WeakDirection> weak_directions;
   double rms_m = 0;
   double overlap = 0;
-  bool ambiguous = false;
+  bool ambiguous = false;     // alternatives explain the scan about as well
+  bool is_symmetric = false;  // all of them are the design's own symmetry: no matter which
   std::vector<Pose> alternatives;
   std::vector<double> pair_residual_m;
   double seconds = 0;
