@@ -9,6 +9,7 @@
 #include <random>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include "vision/core/parallel.h"
 #include "vision/scan/point_index.h"
@@ -27,14 +28,16 @@ struct Patches {
 };
 
 // The scan thinned to a size at which floor and walls are plain, with normals.
-Patches patches_of(std::span<const Eigen::Vector3f> points, double size_m) {
+Patches patches_of(std::span<const Eigen::Vector3f> points, double size_m, const Watch& watch) {
   Patches patches;
   patches.cell =
       static_cast<float>(std::max(voxel_size_for(CloudView(points), kPatchPoints), size_m / 60));
+  if (watch.cancelled()) return patches;
   patches.points = thin_to_voxels(CloudView(points), patches.cell).points;
   patches.normals.assign(patches.points.size(), Eigen::Vector3f::Zero());
   const PointIndex index(patches.points);
   parallel_chunks(patches.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    if (watch.cancelled()) return;
     std::vector<Neighbour> near;
     for (std::size_t i = begin; i < end; ++i) {
       index.nearest_k(patches.points[i], 12, 4 * patches.cell, near);
@@ -117,7 +120,8 @@ std::vector<std::uint32_t> largest_piece(const Patches& patches,
   return best;
 }
 
-// Longer than the design and at least half as wide.
+// Longer than the design, by more than the patches' own size, and at least half as wide. Measured
+// from end to end: by its spread a frame's face would seem longer than it is.
 bool is_larger_than(const Patches& patches, const std::vector<std::uint32_t>& on, double size_m) {
   if (on.size() < 12) return false;
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
@@ -129,10 +133,10 @@ bool is_larger_than(const Patches& patches, const std::vector<std::uint32_t>& on
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> axes;
   axes.computeDirect(scatter / static_cast<float>(on.size()));
-  // The width of a strip of that variance: sqrt(12) standard deviations.
-  const float longer = std::sqrt(12 * axes.eigenvalues()[2]);
-  const float wider = std::sqrt(12 * std::max(0.0F, axes.eigenvalues()[1]));
-  return longer > size_m && wider > 0.5 * size_m;
+  Eigen::AlignedBox3f box;
+  for (const std::uint32_t i : on)
+    box.extend(axes.eigenvectors().transpose() * (patches.points[i] - mean));
+  return box.sizes()[2] > size_m + 2 * double{patches.cell} && box.sizes()[1] > 0.5 * size_m;
 }
 
 }  // namespace
@@ -141,7 +145,7 @@ std::vector<DominantPlane> dominant_planes(std::span<const Eigen::Vector3f> poin
                                            const DominantPlaneOptions& options,
                                            const Watch& watch) {
   std::vector<DominantPlane> planes;
-  const Patches patches = patches_of(points, options.size_m);
+  const Patches patches = patches_of(points, options.size_m, watch);
   std::vector<std::uint32_t> left;
   for (std::uint32_t i = 0; i < patches.points.size(); ++i)
     if (patches.normals[i].squaredNorm() > 0.5F) left.push_back(i);
@@ -153,7 +157,7 @@ std::vector<DominantPlane> dominant_planes(std::span<const Eigen::Vector3f> poin
          !watch.cancelled()) {
     DominantPlane best;
     const std::size_t step = left.size() / 2500 + 1;  // so many say which plane is largest
-    for (int t = 0; t < kTries; ++t) {
+    for (int t = 0; t < kTries && !watch.cancelled(); ++t) {
       const std::uint32_t seed = left[random() % left.size()];
       DominantPlane plane{patches.normals[seed], patches.normals[seed].dot(patches.points[seed]),
                           0};
