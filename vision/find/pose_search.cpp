@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kPairsPerChunk = 32;
 constexpr int kPartnerTries = 64;
+constexpr std::size_t kPlaces = 32;  // so many samples say how far apart two poses are
 // Wald's sequential test (WaldSAC, Chum & Matas 2008): a wrong pose finds a scan point near one
 // design sample in five, a right one near half of them; what is a hundred times likelier wrong
 // is dropped.
@@ -43,6 +44,25 @@ void keep_best(std::vector<PoseHypothesis>& hypotheses, std::size_t count) {
       hypotheses.begin(), hypotheses.end(),
       [](const PoseHypothesis& a, const PoseHypothesis& b) { return a.score > b.score; });
   if (hypotheses.size() > count) hypotheses.resize(count);
+}
+
+// The best that lie apart, by the mean displacement of some samples.
+void keep_apart(std::vector<PoseHypothesis>& hypotheses, std::size_t count, float apart,
+                std::span<const Eigen::Vector3f> samples) {
+  const auto places = samples.first(std::min(kPlaces, samples.size()));
+  keep_best(hypotheses, hypotheses.size());
+  std::vector<PoseHypothesis> kept;
+  for (const PoseHypothesis& hypothesis : hypotheses) {
+    if (kept.size() == count) break;
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const PoseHypothesis& other) {
+      const Eigen::Isometry3f T = hypothesis.T_design_scan * other.T_design_scan.inverse();
+      float sum = 0;
+      for (const Eigen::Vector3f& p : places) sum += (T * p - p).norm();
+      return sum < apart * static_cast<float>(places.size());
+    });
+    if (!known) kept.push_back(hypothesis);
+  }
+  hypotheses = std::move(kept);
 }
 
 }  // namespace
@@ -84,7 +104,11 @@ std::vector<PoseHypothesis> search_poses(const PairTable& table, std::span<const
             found[chunk].push_back({T, *score, static_cast<std::uint32_t>(chunk)});
         }
       }
-      keep_best(found[chunk], options.keep);
+      if (options.apart_m > 0) {
+        keep_apart(found[chunk], options.keep, options.apart_m, samples);
+      } else {
+        keep_best(found[chunk], options.keep);
+      }
     }
   });
   std::vector<PoseHypothesis> all;

@@ -27,6 +27,7 @@ struct PoseSearchOptions {
   std::size_t pairs = 512;   // of the scan's elements, drawn at random
   std::size_t keep = 4;      // best hypotheses of each chunk of 32 pairs
   float least_score = 0.2F;  // what scores less is not kept
+  float apart_m = 0;         // m; of hypotheses of a chunk nearer than this the best alone is kept
   std::uint64_t seed = 1;    // the same seed, the same hypotheses on any number of threads
 };
 

@@ -48,9 +48,14 @@ std::vector<SelfLikeness> self_likenesses(const FinderModel& model, std::uint32_
   const double gate = 0.003 * model.size_m;
   for (std::size_t level = 0; level < model.levels.size(); ++level) {
     const FinderLevel& at = model.levels[level];
+    // Apart, or the poses about the identity would leave no room for others.
     const std::vector<PoseHypothesis> hypotheses =
         search_poses(at.pairs, at.pairs.elements(), occupancy, model.probes,
-                     {.pairs = kPairs, .keep = 32, .least_score = 0.5F, .seed = seed + level});
+                     {.pairs = kPairs,
+                      .keep = 32,
+                      .least_score = 0.5F,
+                      .apart_m = static_cast<float>(model.same_m()),
+                      .seed = seed + level});
     std::vector<Eigen::Isometry3f> tried(1, Eigen::Isometry3f::Identity());
     for (const PoseHypothesis& hypothesis : hypotheses) {
       const bool known = std::any_of(tried.begin(), tried.end(), [&](const Eigen::Isometry3f& T) {
