@@ -49,6 +49,7 @@ FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface&
   model.size_m = design.bounds().diagonal().norm();
   model.samples = samples.cloud;
   model.part = samples.part;
+  model.spacing_m = samples.radius_m;
   model.parts = design.parts.size();
   model.datums = design.datums;
   for (const Joint& joint : design.joints) model.joints.push_back({joint.part_a, joint.part_b});
@@ -60,7 +61,9 @@ FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface&
   if (model.probes.size() > kProbes) model.probes.resize(kProbes);
   model.field = SurfaceField(model.samples, model.size_m / 200, kFieldReach * model.size_m);
   const double cell = model.cell_m();
-  model.levels.push_back(level_of(model, {ElementKind::kSurface, 2.5 * cell, 7}, cell, random));
+  // A bulky design's samples lie further apart than the scan's points.
+  const double even = std::max(cell, model.spacing_m);
+  model.levels.push_back(level_of(model, {ElementKind::kSurface, 2.5 * even, 7}, even, random));
   // Long and thin at a sixteenth and a tenth of the size: what shows where points are too few for
   // a surface.
   for (const double share : {0.06, 0.10}) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -36,6 +37,7 @@ struct FinderModel {
   std::vector<std::int32_t> part;          // of each sample
   std::vector<Eigen::Vector3f> probes;     // some of the samples in random order: a full score
   SurfaceField field;                      // over `samples`
+  double spacing_m = 0;                    // m; between samples: none are nearer to each other
   std::vector<FinderLevel> levels;         // in the order in which they are tried
   std::size_t parts = 0;                   // of the design
   std::vector<int> datums;                 // parts that the design names as datum
@@ -48,6 +50,8 @@ struct FinderModel {
   // Distances that the search counts in, m.
   [[nodiscard]] double rough_m() const { return 0.015 * size_m; }  // a pair's pose is off by this
   [[nodiscard]] double cell_m() const { return size_m / 150; }     // of the thinned scan
+  // A point on the surface has a sample within this, to within a cell of the field.
+  [[nodiscard]] double beside_m() const { return std::max(field.cell_m(), spacing_m); }
   // Poses that move the design by less than this (mean) are one.
   [[nodiscard]] double same_m() const { return 0.02 * size_m; }
 

@@ -48,7 +48,8 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
   std::vector<float> distances;
   const double reach = model.field.reach_m();
   const auto gate = static_cast<float>(gate_m);
-  const auto beside2 = static_cast<float>(std::pow(2 * model.field.cell_m(), 2) + gate_m * gate_m);
+  const auto beside2 =
+      static_cast<float>(std::pow(model.beside_m() + model.field.cell_m(), 2) + gate_m * gate_m);
   const std::vector<Eigen::Vector3f>& points = scene.points();
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector3f p = T_design_scan * points[i];

@@ -31,7 +31,7 @@ double share_on(const FinderModel& model, const std::vector<Eigen::Vector3f>& po
     const std::uint16_t s = model.field.nearest(p);
     if (s == SurfaceField::kFar) continue;
     const Eigen::Vector3f offset = p - model.samples.points[s];
-    const auto beside = static_cast<float>(3 * model.field.cell_m());
+    const auto beside = static_cast<float>(model.beside_m() + 2 * model.field.cell_m());
     if (std::abs(model.samples.normals[s].dot(offset)) < gate && offset.norm() < beside) ++on;
   }
   return static_cast<double>(on) / static_cast<double>(points.size());
