@@ -8,6 +8,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "vision/find/symmetry.h"
+
 namespace spool {
 namespace {
 
@@ -119,13 +121,22 @@ FindDecision decide(const FinderModel& model, const std::vector<PoseEvidence>& p
     return decision;
   }
   decision.best = meant(model, poses);
+  // Elsewhere, or only turned by a symmetry: that is the same place, seen in another way.
   double rival = 0;
+  std::size_t elsewhere = 0;
   for (std::size_t i = 1; i < poses.size() && decision.best == 0; ++i) {
-    rival = std::max(rival, poses[i].excess() / best.excess());
-    if (is_as_good(poses[i], best)) decision.others.push_back(i);
+    const bool is_other = is_as_good(poses[i], best);
+    if (!is_other && poses[i].excess() <= kRival * best.excess()) break;  // best first
+    const bool is_same_place =
+        lays_on_itself(model, poses[i].T_design_scan * best.T_design_scan.inverse());
+    if (!is_same_place) {
+      rival = std::max(rival, poses[i].excess() / best.excess());
+      elsewhere += is_other ? 1U : 0U;
+    }
+    if (is_other && (!is_same_place || decision.others.size() < kMostOthers))
+      decision.others.push_back(i);
   }
-  if (decision.others.size() > kMostOthers ||
-      (rival > kRival && best.coverage < kCoverageWithRival)) {
+  if (elsewhere > kMostOthers || (rival > kRival && best.coverage < kCoverageWithRival)) {
     decision.reason =
         "The design was not found in the scan: what fits lies in several places about as well; "
         "scan more of the spool, or pick three pairs.";

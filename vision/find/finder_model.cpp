@@ -79,9 +79,16 @@ FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface&
 }
 
 bool FinderModel::are_symmetric(const Pose& T_a, const Pose& T_b) const {
-  return std::any_of(symmetries.begin(), symmetries.end(), [&](const Pose& motion) {
+  const auto any = [&](const auto& is_one) {
+    return std::any_of(symmetries.begin(), symmetries.end(), is_one);
+  };
+  const auto lays_on = [&](const Pose& motion) {
     return displacement_m(*this, (motion * T_a).cast<float>(), T_b.cast<float>()) < same_m();
-  });
+  };
+  // One after another is a symmetry too: of a body of revolution a few turns stand for all.
+  return any(lays_on) || any([&](const Pose& first) {
+           return any([&](const Pose& second) { return lays_on(second * first); });
+         });
 }
 
 double displacement_m(const FinderModel& model, const Eigen::Isometry3f& T_a,

@@ -87,6 +87,10 @@ std::vector<SelfLikeness> self_likenesses(const FinderModel& model, std::uint32_
   return found;
 }
 
+bool lays_on_itself(const FinderModel& model, const Pose& motion) {
+  return !model.probes.empty() && share_on(model, model.probes, motion.cast<float>()) >= kNearlyAll;
+}
+
 std::optional<Pose> exact_symmetry(const FinderModel& model, const DesignSurface& surface,
                                    const SelfLikeness& alike) {
   if (alike.share < kNearlyAll) return std::nullopt;

@@ -26,6 +26,10 @@ struct SelfLikeness {
 [[nodiscard]] std::vector<SelfLikeness> self_likenesses(const FinderModel& model,
                                                         std::uint32_t seed);
 
+// Whether nearly all of the surface lies on the surface again: no scan tells the two poses apart,
+// though a bolt hole may.
+[[nodiscard]] bool lays_on_itself(const FinderModel& model, const Pose& motion);
+
 // The motion refined on the surface itself, if no bolt hole and no edge then tells the design from
 // before.
 [[nodiscard]] std::optional<Pose> exact_symmetry(const FinderModel& model,
