@@ -34,16 +34,18 @@ double spacing_m(const std::vector<Eigen::Vector3f>& points, const PointIndex& i
 FindScene::FindScene(const FinderModel& model, std::span<const Eigen::Vector3f> scan,
                      double noise_m, const Watch& watch)
     : model_(model), elements_(model.levels.size()) {
+  finite_ = static_cast<std::size_t>(std::count_if(
+      scan.begin(), scan.end(), [](const Eigen::Vector3f& point) { return point.allFinite(); }));
   std::vector<Eigen::Vector3f> finite;
-  const std::size_t step = scan.size() / kMostPoints + 1;
+  const std::size_t step = std::max<std::size_t>(1, (finite_ + kMostPoints - 1) / kMostPoints);
   was_cut_ = step > 1;
-  finite.reserve(scan.size() / step + 1);
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (!scan[i].allFinite()) continue;
-    if (finite_++ % step == 0) finite.push_back(scan[i]);
-  }
+  finite.reserve(finite_ / step + 1);
+  std::size_t next = 0;
+  for (const Eigen::Vector3f& point : scan)
+    if (point.allFinite() && next++ % step == 0) finite.push_back(point);
   if (finite.empty() || watch.cancelled()) return;
   planes_ = dominant_planes(finite, {.size_m = model.size_m, .noise_m = noise_m}, watch);
+  if (watch.cancelled()) return;
   const std::vector<Eigen::Vector3f> off =
       off_planes(finite, planes_, std::max(3 * noise_m, 0.003 * model.size_m));
   points_ = thin_to_voxels(CloudView(off), model.cell_m()).points;

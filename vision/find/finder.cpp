@@ -26,6 +26,8 @@ constexpr int kEnoughHits = 7;
 constexpr double kWhole = 0.92;  // of the design in sight: nothing of it is elsewhere
 constexpr double kSlide = 0.06;  // of the size: as far as a pipe is tried too long or too short
 
+constexpr const char* kStopped = "The search was stopped before it was done.";
+
 // The most promising hypotheses, one of each chunk of pairs, so that each is an independent draw.
 std::vector<PoseHypothesis> to_refine(const std::vector<PoseHypothesis>& hypotheses) {
   std::vector<PoseHypothesis> some;
@@ -74,11 +76,32 @@ std::vector<PoseEvidence> refine_and_weigh(const FinderModel& model, const FindS
   return weighed;
 }
 
+// What a design that resembles itself could be mistaken for is tried on purpose, and so is where it
+// would lie were one joint wrong.
+std::vector<Eigen::Isometry3f> rivals(const FinderModel& model, const FindScene& scene,
+                                      const PoseEvidence& pose) {
+  const Pose& T = pose.T_design_scan;
+  std::vector<Eigen::Isometry3f> rough;
+  for (const SelfLikeness& alike : model.alike) rough.push_back((alike.motion * T).cast<float>());
+  if (pose.coverage < kWhole) {
+    const std::vector<Eigen::Isometry3f> moved = joint_motions(
+        model.axes, T.cast<float>(), scene.occupancy(), model.probes, kSlide * model.size_m);
+    rough.insert(rough.end(), moved.begin(), moved.end());
+  }
+  return rough;
+}
+
 }  // namespace
 
 FindResult find_design(const FinderModel& model, std::span<const Eigen::Vector3f> scan,
                        const FindOptions& options, const Watch& watch) {
   FindResult result;
+  if (model.levels.empty()) {
+    result.reason =
+        "The design has no surface to go by; export it with triangles or with normals, or pick "
+        "three pairs.";
+    return result;
+  }
   // A scan too sparse to tell its own noise is no noisier for that.
   const double noise = std::min(options.noise_m, 0.003 * model.size_m);
   FindScene scene(model, scan, noise, watch);
@@ -86,7 +109,11 @@ FindResult find_design(const FinderModel& model, std::span<const Eigen::Vector3f
   result.was_cut = scene.was_cut();
   result.thinned_to = scene.points().size();
   result.planes = static_cast<int>(scene.planes().size());
-  if (scene.points().size() < kLeastPoints || model.levels.empty()) {
+  if (watch.cancelled()) {
+    result.reason = kStopped;
+    return result;
+  }
+  if (scene.points().size() < kLeastPoints) {
     result.reason =
         "The scan has too few points off floor and walls to find anything in; scan the spool "
         "again.";
@@ -113,17 +140,10 @@ FindResult find_design(const FinderModel& model, std::span<const Eigen::Vector3f
     ++result.rounds;
     sort_poses(poses);
     decision = decide(model, poses);
-    if (!decision.found || poses.front().hits < kEnoughHits) continue;
-    // What a design that resembles itself could be mistaken for is tried on purpose, and so is
-    // where it would lie were one joint wrong.
-    const Pose& T = poses[decision.best].T_design_scan;
-    std::vector<Eigen::Isometry3f> rough;
-    for (const SelfLikeness& alike : model.alike) rough.push_back((alike.motion * T).cast<float>());
-    if (poses[decision.best].coverage < kWhole) {
-      const std::vector<Eigen::Isometry3f> moved = joint_motions(
-          model.axes, T.cast<float>(), scene.occupancy(), model.probes, kSlide * model.size_m);
-      rough.insert(rough.end(), moved.begin(), moved.end());
-    }
+    // With the last round, also what was drawn less often has to stand up to its rivals.
+    if (!decision.found || (poses.front().hits < kEnoughHits && result.rounds < kMostRounds))
+      continue;
+    const std::vector<Eigen::Isometry3f> rough = rivals(model, scene, poses[decision.best]);
     for (PoseEvidence& pose : refine_and_weigh(model, scene, rough, refining, watch))
       add_pose(model, std::move(pose), poses);
     sort_poses(poses);
@@ -131,7 +151,7 @@ FindResult find_design(const FinderModel& model, std::span<const Eigen::Vector3f
     if (decision.found) break;
   }
   if (watch.cancelled()) {
-    result.reason = "The search was stopped before it was done.";
+    result.reason = kStopped;
     return result;
   }
   result.found = decision.found;
