@@ -16,7 +16,7 @@
 
 namespace spool::test {
 
-Scene load_scene(const std::filesystem::path& folder) {
+Scene load_scene(const std::filesystem::path& folder, bool to_be_found) {
   Scene scene;
   auto model = read_design(folder / "design" / "model.glb");
   auto cloud = read_cloud(folder / "cloud.ply", LengthUnit::kMetre);
@@ -26,7 +26,7 @@ Scene load_scene(const std::filesystem::path& folder) {
     ADD_FAILURE() << "cannot read " << folder;
     return scene;
   }
-  auto design = PreparedDesign::prepare(std::move(*model));
+  auto design = PreparedDesign::prepare(std::move(*model), 1, to_be_found);
   if (!design) {
     ADD_FAILURE() << design.error().message;
     return scene;

@@ -21,8 +21,8 @@ struct Scene {
   std::vector<bool> undisturbed;          // of each component: lies where the design has it
 };
 
-// Fails the running test where a file cannot be read.
-[[nodiscard]] Scene load_scene(const std::filesystem::path& folder);
+// Fails the running test where a file cannot be read. `to_be_found`: the design is prepared for it.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& folder, bool to_be_found = false);
 
 // Three places on the design's surface, far from each other and from one line, each pick on the
 // scan off by `error_m` in a random direction.
