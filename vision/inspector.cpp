@@ -8,8 +8,10 @@
 #include <limits>
 
 #include "vision/design/exterior.h"
+#include "vision/inspect/explanation.h"
 #include "vision/inspect/judge.h"
 #include "vision/inspect/scan_alignment.h"
+#include "vision/inspect/spool_findings.h"
 
 namespace spool {
 namespace {
@@ -34,12 +36,6 @@ class StageClock {
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };
-
-// How far (m) from the surface a kept point still counts as the object's. Ten standard deviations:
-// no reading of the surface gets there by noise. At least 20 mm, over three times the widest
-// tolerance of PFI ES-3 for a dimension (6 mm), so that an error worth a verdict is coloured and
-// not cut away.
-float deviation_bound(double noise_m) { return static_cast<float>(std::max(10 * noise_m, 0.020)); }
 
 bool has_finite_point(const PointCloud& scan) {
   return std::any_of(scan.points.begin(), scan.points.end(),
@@ -94,16 +90,19 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   inspection.alignment.seconds = inspection.timing_s["normals"] + inspection.timing_s["align"];
   // Every point in the design frame, in input order.
   inspection.scan_design = to_design_frame(scan, design, inspection.alignment.T_design_scan);
-  // Which of them are the object.
-  inspection.declutter =
-      inspection.alignment.found
-          ? declutter_knn(inspection.scan_design, design_->samples.cloud, options.declutter)
-          : nothing_kept(scan.size(), options.declutter);
+  // Which of them are the object, how far off its surface each lies, and what contradicts it.
+  if (inspection.alignment.found) {
+    Explanation explanation =
+        explain_scan({design, *design_->surface, design_->samples}, inspection.scan_design, noise_m,
+                     scan.has_normals(), options.declutter, watch);
+    inspection.declutter = std::move(explanation.declutter);
+    inspection.deviations = std::move(explanation.deviations);
+    inspection.pieces = std::move(explanation.pieces);
+  } else {
+    inspection.declutter = nothing_kept(scan.size(), options.declutter);
+    inspection.deviations = no_deviations(scan.size());
+  }
   clock.mark("declutter");
-  // How far each of those lies off the design's surface.
-  inspection.deviations = measure_deviations(inspection.scan_design, inspection.declutter.classes,
-                                             *design_->surface, deviation_bound(noise_m));
-  count_classes(inspection.declutter);
   inspection.scan_rms_m = rms(inspection.deviations);
   // What that says of each part.
   const std::vector<PartDeviation> parts =
@@ -112,7 +111,11 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
+  judge_pieces(design, inspection.pieces, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
+  if (inspection.alignment.found)
+    for (Finding& finding : spool_findings(design, inspection.pieces, inspection.parts))
+      inspection.findings.push_back(std::move(finding));
   judge_whole(inspection, judging);
   clock.mark("judge");
   return inspection;

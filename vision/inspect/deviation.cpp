@@ -79,12 +79,18 @@ void add_coverage(const CloudView& scan, const Deviations& deviations,
 
 }  // namespace
 
+Deviations no_deviations(std::size_t scan_points) {
+  Deviations deviations;
+  deviations.distance_m.assign(scan_points, std::numeric_limits<float>::quiet_NaN());
+  deviations.part.assign(scan_points, -1);
+  deviations.normal.assign(scan_points, Eigen::Vector3f::Zero());
+  return deviations;
+}
+
 Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass> classes,
                               const DesignSurface& surface, float max_distance) {
   assert(classes.size() == scan_design.size() && "a class for every point");
-  Deviations deviations;
-  deviations.distance_m.assign(scan_design.size(), std::numeric_limits<float>::quiet_NaN());
-  deviations.part.assign(scan_design.size(), -1);
+  Deviations deviations = no_deviations(scan_design.size());
   parallel_chunks(scan_design.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (classes[i] == PointClass::kClutter) continue;
@@ -96,6 +102,7 @@ Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass
       }
       deviations.distance_m[i] = hit->distance;
       deviations.part[i] = hit->part;
+      deviations.normal[i] = hit->normal;
     }
   });
   return deviations;
