@@ -21,11 +21,12 @@ using Eigen::Vector3d;
 constexpr std::size_t kGrain = 2048;
 constexpr double kGrazing = 0.17;  // cosine of 80 degrees: what is flatter to the ray is lost
 constexpr double kNoCrop = std::numeric_limits<double>::infinity();
+constexpr double kBeyond = 0.05;  // m past the crop that noise may carry a point
 
 // The patches of the object or of the clutter, drawn from by their areas.
 class Surfaces {
  public:
-  Surfaces(const RayWorld& world, bool object) {
+  Surfaces(const RayWorld& world, bool object) : of_object_(object) {
     for (std::uint32_t i = 0; i < world.placed().size(); ++i) {
       if ((world.placed()[i].instance != kNoInstance) != object) continue;
       area_ += sampled_area(world.placed()[i].patch);
@@ -34,6 +35,7 @@ class Surfaces {
     }
   }
   [[nodiscard]] double area() const { return area_; }
+  [[nodiscard]] bool of_object() const { return of_object_; }
   [[nodiscard]] std::uint32_t draw(Random& random) const {
     const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), random.uniform(0, area_));
     const auto index = static_cast<std::size_t>(found - up_to_.begin());
@@ -41,6 +43,7 @@ class Surfaces {
   }
 
  private:
+  bool of_object_;
   double area_ = 0;
   std::vector<std::uint32_t> patches_;
   std::vector<double> up_to_;
@@ -113,8 +116,7 @@ struct Scanner {
   std::optional<SensedPoint> measure(const Surfaces& surfaces, double crop,
                                      const PointSpacing& spacing, Random& random) const {
     const auto candidate = draw(world, surfaces, random);
-    if (!candidate || (crop < kNoCrop && object.exteriorDistance(candidate->point) > crop))
-      return std::nullopt;
+    if (!candidate || beyond(candidate->point, crop)) return std::nullopt;
     // Cheap first: what has no room before its noise is known will hardly have room after.
     const double noise = settings.noise_m * random.normal();
     if (!spacing.has_room(candidate->point.cast<float>())) return std::nullopt;
@@ -131,8 +133,13 @@ struct Scanner {
       sensed.instance = kNoInstance;
     }
     const Vector3d point = T_scan_station[*station] * (eye + (range + noise) * ray);
+    if (beyond(point, crop + kBeyond)) return std::nullopt;
     sensed.point = point.cast<float>();
     return spacing.has_room(sensed.point) ? std::optional(sensed) : std::nullopt;
+  }
+
+  [[nodiscard]] bool beyond(const Vector3d& point, double crop) const {
+    return crop < kNoCrop && object.exteriorDistance(point) > crop;
   }
 
   // The range of what a part of the beam hits instead, where that is well nearer or further.
@@ -150,7 +157,8 @@ struct Scanner {
     return hit->distance;
   }
 
-  // Adds `target` points of the surfaces within `crop` of the object.
+  // Adds points of the surfaces within `crop` of the object until there are `target` of the object
+  // or of clutter, whichever the surfaces are, with those that are there already.
   void collect(const Surfaces& surfaces, double crop, double area, std::size_t target,
                std::uint64_t stream, std::vector<SensedPoint>& points, PointSpacing& spacing) const;
 };
@@ -158,13 +166,16 @@ struct Scanner {
 void Scanner::collect(const Surfaces& surfaces, double crop, double area, std::size_t target,
                       std::uint64_t stream, std::vector<SensedPoint>& points,
                       PointSpacing& spacing) const {
+  const auto counts = [&](const SensedPoint& each) {
+    return (each.instance != kNoInstance) == surfaces.of_object();
+  };
+  auto have = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), counts));
   // A surface all but full takes many tries a point; more than this and it is fuller than reckoned.
   const double hidden = surfaces.area() / area;
-  const auto most = static_cast<std::size_t>(40 * hidden * static_cast<double>(target)) + 100'000;
-  const std::size_t end = points.size() + target;
+  const auto most = static_cast<std::size_t>(20 * hidden * static_cast<double>(target)) + 100'000;
   constexpr std::size_t kBatch = 32 * kGrain;
   std::vector<std::optional<SensedPoint>> batch(kBatch);
-  for (std::size_t tried = 0; points.size() < end && tried < most; tried += kBatch) {
+  for (std::size_t tried = 0; have < target && tried < most; tried += kBatch) {
     parallel_chunks(kBatch, kGrain, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         Random random(seed, (stream << 40) + tried + i);
@@ -172,11 +183,26 @@ void Scanner::collect(const Surfaces& surfaces, double crop, double area, std::s
       }
     });
     for (const auto& sensed : batch) {
-      if (points.size() == end) break;
+      if (have >= target) break;
       if (!sensed || !spacing.has_room(sensed->point)) continue;
       spacing.add(sensed->point);
       points.push_back(*sensed);
+      if (counts(*sensed)) ++have;
     }
+  }
+}
+
+// Adds points until there are `target`, from the reckoned spacing to ever closer ones: noise and
+// hidden corners leave some short.
+void fill(const Scanner& scanner, const Surfaces& surfaces, double crop, double area,
+          std::size_t target, std::vector<SensedPoint>& points) {
+  const double spacing_m = spacing_for(static_cast<double>(target) / area);
+  const std::uint64_t stream = surfaces.of_object() ? 1 : 100;
+  for (int round = 0; round < 12; ++round) {
+    PointSpacing spacing(std::pow(0.9, round) * spacing_m, points.size() + target);
+    for (const SensedPoint& each : points) spacing.add(each.point);
+    scanner.collect(surfaces, crop, area, target, stream + static_cast<std::uint64_t>(round),
+                    points, spacing);
   }
 }
 
@@ -199,41 +225,26 @@ std::vector<SensedPoint> scan_with_laser(const RayWorld& world, const LaserSetti
     scanner.T_scan_station.push_back(pose);
   }
   std::vector<SensedPoint> points;
-  double spacing_m = 0;
+  double density = 0;
   if (targets.object > 0) {
     const Surfaces surfaces(world, true);
     const double area = survey(world, surfaces, settings.stations, object, seed + 1).area;
-    spacing_m = spacing_for(static_cast<double>(targets.object) / area);
-    // What noise and hidden corners leave short of the target is filled in ever more closely.
-    for (double closer = 1; points.size() < targets.object && closer > 0.3; closer *= 0.9) {
-      PointSpacing spacing(closer * spacing_m, targets.object);
-      for (const SensedPoint& each : points) spacing.add(each.point);
-      scanner.collect(surfaces, kNoCrop, area, targets.object - points.size(),
-                      1 + static_cast<std::uint64_t>(100 * closer), points, spacing);
-    }
+    density = static_cast<double>(targets.object) / area;
+    fill(scanner, surfaces, kNoCrop, area, targets.object, points);
   }
   if (targets.clutter > 0) {
     const Surfaces surfaces(world, false);
     const Survey seen = survey(world, surfaces, settings.stations, object, seed + 2);
+    // At the object's spacing the points need this share of what is seen: the nearest of it.
     const auto wanted = static_cast<double>(targets.clutter);
-    double area = seen.area;
-    double crop = kNoCrop;
-    // At the object's spacing that many points need this share of what is seen: the nearest of it.
-    const double share = spacing_m > 0 ? wanted / (seen.area * density_at(spacing_m)) : 1;
-    if (share < 1) {
-      const auto index =
-          static_cast<std::size_t>(share * static_cast<double>(seen.distances.size()));
-      crop = seen.distances[std::min(index, seen.distances.size() - 1)];
-      area *= share;
-    }
-    const double clutter_spacing = spacing_for(wanted / area);
-    const std::size_t end = points.size() + targets.clutter;
-    for (double closer = 1; points.size() < end && closer > 0.3; closer *= 0.9) {
-      PointSpacing spacing(closer * clutter_spacing, points.size() + targets.clutter);
-      for (const SensedPoint& each : points) spacing.add(each.point);
-      scanner.collect(surfaces, crop, area, end - points.size(),
-                      200 + static_cast<std::uint64_t>(100 * closer), points, spacing);
-    }
+    const double share = density > 0 ? std::min(1.0, wanted / (seen.area * density)) : 1;
+    const auto index = static_cast<std::size_t>(share * static_cast<double>(seen.distances.size()));
+    const double crop = index < seen.distances.size() ? seen.distances[index] : kNoCrop;
+    // What was seen between object and background belongs to what is cropped.
+    std::erase_if(points, [&](const SensedPoint& each) {
+      return each.label == kMixedPixel && scanner.beyond(each.point.cast<double>(), crop);
+    });
+    fill(scanner, surfaces, crop, share * seen.area, targets.clutter, points);
   }
   return points;
 }

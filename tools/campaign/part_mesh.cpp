@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 constexpr double kStep = 2 * std::numbers::pi / kCircleSteps;
+constexpr double kLargestHole = 0.02;  // m, radius: what is smaller is a bolt hole and no bore
 
 Loop circle(double radius, double z, int steps = kCircleSteps, double x = 0, double y = 0) {
   Loop loop;
@@ -43,7 +44,7 @@ void add_holed(const Annulus& a, MeshBuilder& b) {
     for (int i = -reach; i <= reach; ++i) block.push_back(polar(high, middle + i));
     for (int i = reach; i >= -reach; --i) block.push_back(polar(low, middle + i));
     const Vector3d centre = polar(a.circle_radius, middle);
-    b.ring(circle(a.hole_radius, 0, kCircleSteps, centre.x(), centre.y()), block, centre,
+    b.ring(circle(a.hole_radius, 0, kHoleSteps, centre.x(), centre.y()), block, centre,
            Vector3d::UnitZ());
     for (int i = reach; i < between - reach; ++i)
       b.quad(polar(low, middle + i), polar(high, middle + i), polar(high, middle + i + 1),
@@ -53,9 +54,11 @@ void add_holed(const Annulus& a, MeshBuilder& b) {
 
 struct Mesher {
   MeshBuilder& b;
+  bool inward;
 
   void operator()(const Cylinder& s) const {
-    b.strip(circle(s.radius, s.z0), circle(s.radius, s.z1));
+    const int steps = s.radius < kLargestHole ? kHoleSteps : kCircleSteps;
+    b.strip(circle(s.radius, s.z0, steps), circle(s.radius, s.z1, steps));
   }
   void operator()(const Cone& s) const { b.strip(circle(s.r0, s.z0), circle(s.r1, s.z1)); }
   void operator()(const Annulus& s) const {
@@ -65,8 +68,10 @@ struct Mesher {
       b.strip(circle(s.outer, 0), circle(s.inner, 0));
   }
   void operator()(const Torus& s) const {
-    // As fine along the bend as a full circle of it would be round the tube.
-    const int steps = std::max(1, static_cast<int>(std::ceil(s.angle_rad / kStep)));
+    // Along the bend, where the radius is three times the tube's, finer steps than round it; less so
+    // in the bore, which nobody measures.
+    const double step = inward ? 2 * kStep : 2 * kStep / 3;
+    const int steps = std::max(1, static_cast<int>(std::ceil(s.angle_rad / step - 1e-9)));
     const auto loop_at = [&](double angle) {
       Loop loop = circle(s.tube, 0);
       // A section's own z runs along the bend; its x points to the bend's centre, as a pipe's does.
@@ -110,7 +115,7 @@ TriangleMesh mesh_of(const PartSpec& spec) {
   } else {
     for (const Patch& patch : patches_of(spec)) {
       builder.in_frame(patch.T_part_patch, patch.inward);
-      std::visit(Mesher{builder}, patch.shape);
+      std::visit(Mesher{builder, patch.inward}, patch.shape);
     }
   }
   return builder.welded();

@@ -9,9 +9,11 @@
 namespace spool::campaign {
 
 // Corners of a full circle; a multiple of every number of bolt holes, so that the loops of a flange
-// share their corners. Chords leave a circle of radius r by r * (1 - cos(pi / 96)) = r / 1870:
-// 0.06 mm at the rim of an NPS 4 flange.
-inline constexpr int kCircleSteps = 96;
+// share their corners. Chords leave a circle of radius r by r * (1 - cos(pi / 64)) = r / 830: 0.07 mm
+// at the wall of an NPS 4 pipe, 0.2 mm at the rim of an NPS 8 flange.
+inline constexpr int kCircleSteps = 64;
+// Of a bolt hole: 0.1 mm.
+inline constexpr int kHoleSteps = 24;
 
 // In the part's own frame (m), counter-clockwise seen from outside, every edge shared by two
 // triangles.
