@@ -100,7 +100,7 @@ void Application::handle(const ui::Gesture& gesture) {
   const VisionStatePtr& state = shown();
   if (!state || !state->is_tracked()) return;
   if (!detached_) {
-    const render::View view = camera_view(in_.width, in_.height);
+    const render::View view = camera_view(state.get(), in_.width, in_.height);
     work_eye_.start(view, (view.T_camera_design * in_.design->model.bounds().center()).z());
     detached_ = true;
   }
@@ -112,7 +112,8 @@ void Application::tap(const ui::Gesture& gesture) {
   if (screen_ == ui::Screen::kWork) {
     const VisionStatePtr& state = shown();
     if (!state || !state->is_tracked()) return;
-    const render::View view = detached_ ? work_eye_.view() : camera_view(in_.width, in_.height);
+    const render::View view =
+        detached_ ? work_eye_.view() : camera_view(state.get(), in_.width, in_.height);
     const auto hit =
         pick_design(in_.design->model, *in_.design->surface, {}, view, gesture.x, gesture.y, slop);
     lit_part_ = hit && hit->part != lit_part_ ? hit->part : -1;

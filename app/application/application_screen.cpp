@@ -44,13 +44,20 @@ nlohmann::json to_json(const render::View& view) {
 }
 }  // namespace
 
-render::View Application::camera_view(int width, int height) const {
+// From where the camera saw the design; of a state without a pose its own frame.
+render::View Application::camera_view(const VisionState* state, int width, int height) const {
   render::View view;
   view.camera = render::camera_in_picture(in_.camera, width, height);
-  if (const VisionStatePtr& state = shown(); state && state->is_tracked()) {
+  if (state != nullptr && state->is_tracked()) {
     view.T_camera_design = state->T_design_camera.inverse();
   }
   return view;
+}
+
+bool Application::shows_still() const {
+  const VisionStatePtr& state = shown();
+  return screen_ == ui::Screen::kWork && state && state->quality == TrackQuality::kLost &&
+         last_tracked_ && layout_.still.height >= 1;
 }
 
 std::vector<render::Marker> Application::design_markers() const {
@@ -148,6 +155,7 @@ void Application::fill_work(ui::ScreenState& out) const {
   const VisionStatePtr& state = shown();
   out.aligned = aligned_;
   out.measured = state && state->is_tracked();
+  out.still_shown = shows_still();
   out.detached = detached_ && out.measured;
   out.view_word = kViewWords[view_mode_];
   out.list_open = list_open_;
@@ -190,6 +198,9 @@ std::string Application::changed_targets() {
   json["height"] = in_.height;
   json["tracking"] = state_ ? name(state_->quality) : "none";
   json["picks"] = picks_.pairs().size();
+  if (still_of_) {
+    json["still"] = {{"frame", still_of_->frame->index}, {"rect", to_json(layout_.still)}};
+  }
   json["targets"] = nlohmann::json::object();
   for (const ui::Target& target : targets_.targets)
     json["targets"][target.name] = to_json(target.rect);

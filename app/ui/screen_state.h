@@ -53,6 +53,7 @@ struct ScreenState {
 
   // Work
   bool aligned = false;
+  bool still_shown = false;     // the spool is lost, its last good view stands in layout.still
   bool measured = false;        // numbers below belong to the picture
   std::vector<PartLine> parts;  // worst first
   int lit_part = -1;
