@@ -124,6 +124,7 @@ TEST(Headless, AScriptOfTapsAlignsTracksAndWritesEverything) {
       folder.path(), {"--design", files.design, "--design-unit", "m", "--source", files.recording},
       *files.prepared, test::small_camera(), *frame, truth, "800x480");
   ASSERT_EQ(run.result.code, 0) << run.result.err;
+  EXPECT_EQ(run.result.out, "") << "what is said goes to stderr";
   const auto rows = read_track(run.track);
   ASSERT_EQ(rows.size(), 12U) << "a row for every frame";
   // Frame 0 went by while the finger was down; the picture is held from frame 1 on.
