@@ -18,6 +18,7 @@ constexpr double kNeutralLeast = 0.0005;  // m
 constexpr float kFrameSeconds = 1.0F / 30.0F;
 constexpr double kDesignFovDeg = 35.0;
 constexpr double kDesignMargin = 0.05;  // of its size: marks at its edge stay in the picture
+constexpr std::size_t kLandmarks = 12;  // three, and some to take instead
 constexpr double kLeastPointPx = 2.0;
 constexpr double kMostPointPx = 12.0;
 }  // namespace
@@ -26,8 +27,9 @@ Application::Application(ApplicationInputs inputs)
     : in_(std::move(inputs)),
       imgui_(ImGui::CreateContext(), [](ImGuiContext* context) { ImGui::DestroyContext(context); }),
       poses_(in_.design->model.origin),
-      landmarks_(propose_landmarks(in_.design->model, *in_.design->surface)),
-      picks_(landmarks_.landmarks),
+      landmarks_(propose_landmarks(in_.design->model, *in_.design->surface, kLandmarks)),
+      picks_(landmarks_.landmarks,
+             [this](std::span<const PointPair> pairs) { return landmark_evidence(pairs); }),
       gestures_(tap_slop_px(in_.dots_per_inch)) {}
 
 Application::~Application() {
@@ -264,7 +266,9 @@ bool Application::is_idle() const {
 }
 
 void Application::give_up_picks() {
-  if (held_ && !awaiting_alignment_) release_picture();
+  if (!held_ || awaiting_alignment_) return;
+  picks_.clear();
+  release_picture();
 }
 
 }  // namespace spool

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,7 @@ class Application {
   void start_align();
   void finish_align();
   void leave_align();
+  [[nodiscard]] std::vector<double> landmark_evidence(std::span<const PointPair> pairs) const;
   void hold_picture();
   void release_picture();
   void start_check(bool final);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/application/application.h"
+#include "app/application/landmark_evidence.h"
 #include "app/application/picking.h"
 #include "app/evidence/writer.h"
 #include "vision/core/file_digest.h"
@@ -45,8 +46,12 @@ void Application::handle(const ui::Command& command) {
       finish_align();
       break;
     case ui::Action::kBack:
+      picks_.clear();
       release_picture();
       screen_ = ui::Screen::kWork;
+      break;
+    case ui::Action::kSkip:
+      picks_.skip();
       break;
     case ui::Action::kUndo:
       picks_.undo();
@@ -137,7 +142,7 @@ void Application::tap(const ui::Gesture& gesture) {
       pick_point(shown()->scan.points, scan_eye_.view(), gesture.x - layout_.scan_view.x,
                  gesture.y - layout_.scan_view.y, slop);
   if (!index) {
-    notice("Nothing measured there: tap on the steel.");
+    picks_.refuse_scan_point();
     return;
   }
   hold_picture();
@@ -152,6 +157,14 @@ void Application::start_align() {
   list_open_ = false;
 }
 
+std::vector<double> Application::landmark_evidence(std::span<const PointPair> pairs) const {
+  const VisionStatePtr& state = shown();
+  if (!state) return {};
+  PickScene scene{*in_.design, in_.camera, *state->frame, state->scan.points, std::nullopt};
+  if (state->quality != TrackQuality::kUnaligned) scene.T_design_camera = state->T_design_camera;
+  return measured_likelihood(scene, landmarks_.landmarks, pairs);
+}
+
 // Picks are made on one frame: the picture stands still, a recording waits, a camera is followed.
 void Application::hold_picture() {
   if (held_) return;
@@ -161,7 +174,6 @@ void Application::hold_picture() {
 }
 
 void Application::release_picture() {
-  picks_.clear();
   if (!held_) return;
   held_.reset();
   feed_->command({VisionCommand::Kind::kRelease, nullptr, Pose::Identity()});

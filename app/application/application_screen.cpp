@@ -124,6 +124,7 @@ void Application::fill_align(ui::ScreenState& out) const {
     if (chip.set && i < result.residual_m.size()) chip.residual_mm = 1e3 * result.residual_m[i];
     out.chips.push_back(chip);
   }
+  out.can_skip = picks_.can_skip() && !awaiting_alignment_;
   out.can_undo = picks_.can_undo() && !awaiting_alignment_;
   out.can_finish =
       result.status == PairsStatus::kOk && pairs.size() >= kChips && !awaiting_alignment_;
@@ -140,10 +141,16 @@ void Application::fill_align(ui::ScreenState& out) const {
         state_ && !state_->hint.empty() && state_->quality == TrackQuality::kUnaligned;
     out.hint = refused ? state_->hint : "Three points fit: press Done, or Undo to pick again.";
     out.hint_is_warning = refused;
+  } else if (picks_.is_refused()) {
+    const auto other = picks_.lit_after_skip();
+    out.hint = other && lit
+                   ? "No depth there: tap beside it, or press Other point for " + other->text + "."
+                   : "No depth there: tap beside it, or tap another point of the drawing.";
+    out.hint_is_warning = true;
   } else if (lit) {
     out.hint = fmt::format("Point {}: find {} and tap it in the camera picture.", pairs.size() + 1,
                            lit->text);
-    out.proposed = "Not in sight? Turn the drawing and tap another point of it instead.";
+    out.proposed = "Not to be seen there? Press Other point, or tap another one of the drawing.";
   } else {
     out.hint = "Tap a point of the drawing, then the same point in the camera picture.";
   }
@@ -201,6 +208,7 @@ std::string Application::changed_targets() {
   if (still_of_) {
     json["still"] = {{"frame", still_of_->frame->index}, {"rect", to_json(layout_.still)}};
   }
+  json["hint"] = screen_state().hint;
   json["targets"] = nlohmann::json::object();
   for (const ui::Target& target : targets_.targets)
     json["targets"][target.name] = to_json(target.rect);

@@ -46,7 +46,8 @@ struct ScreenState {
 
   // Align
   std::vector<PairChip> chips;
-  std::string proposed;  // the design point that is lit, in words
+  std::string proposed;   // the design point that is lit, in words
+  bool can_skip = false;  // another design point in the place of the lit one
   bool can_undo = false;
   bool can_finish = false;   // three picks that make a pose
   bool can_go_back = false;  // an alignment stands already
@@ -75,6 +76,7 @@ enum class Action {
   kView,
   kCameraView,
   kReplay,
+  kSkip,
   kUndo,
   kFinish,
   kBack,

@@ -174,6 +174,30 @@ TEST_F(Bench, ATapBesideTheSteelPicksNothing) {
   EXPECT_FALSE(screen_.contains("held_frame"));
 }
 
+TEST_F(Bench, ATapWithoutDepthIsRefusedAndAnotherPointIsOffered) {
+  start(standing_still(5), 480, 800);
+  const auto rect = screen_["scan_view"]["rect"].get<std::vector<double>>();
+  const std::string first = screen_["lit"]["text"];
+  tap_at({rect[0] + 6, rect[1] + 0.5 * rect[3]});
+  const std::string hint = screen_["hint"];
+  EXPECT_NE(hint.find("No depth there"), std::string::npos) << hint;
+  EXPECT_EQ(screen_["lit"]["text"], first);
+  const auto before = screen_["lit"]["position_m"];
+  press("Other");
+  EXPECT_NE(screen_["lit"]["position_m"], before);
+  const std::string offered = screen_["lit"]["text"];
+  EXPECT_NE(hint.find("Other point for " + offered), std::string::npos) << hint << offered;
+  EXPECT_EQ(screen_["picks"], 0);
+  EXPECT_EQ(std::string(screen_["hint"]).find("No depth"), std::string::npos);
+  // Undo of the only pick lets the picture go on; the skipped point stays away.
+  tap_at(three().at(0).scan);
+  EXPECT_EQ(screen_["picks"], 1);
+  press("Undo");
+  EXPECT_FALSE(screen_.contains("held_frame"));
+  EXPECT_NE(screen_["lit"]["position_m"], before);
+  EXPECT_TRUE(offers("Other"));
+}
+
 TEST_F(Bench, ADragTurnsThePictureAndPicksNothing) {
   start(standing_still(5));
   const auto pairs = three();
