@@ -187,9 +187,21 @@ void add_block(const Vector3d& middle, const Vector3d& half, double yaw_rad, std
 }
 
 void add_floor_and_walls(Room& room) {
+  // In tiles, so that what lies far from the object can be left out of sampling.
+  const auto tiled = [&](const Pose& pose, double half_x, double half_y, std::uint16_t label) {
+    constexpr double kTile = 1.0;
+    const int across = static_cast<int>(std::ceil(2 * half_x / kTile));
+    const int up = static_cast<int>(std::ceil(2 * half_y / kTile));
+    const Rectangle tile{half_x / across, half_y / up};
+    for (int i = 0; i < across; ++i)
+      for (int j = 0; j < up; ++j) {
+        const Eigen::Translation3d shift((2 * i + 1) * tile.x - half_x,
+                                         (2 * j + 1) * tile.y - half_y, 0);
+        room.placed.push_back({Patch{tile}, pose * shift, label, kNoInstance});
+      }
+  };
+  tiled(Pose::Identity(), room.half_x, room.half_y, kFloor);
   const Vector3d up = Vector3d::UnitZ();
-  room.placed.push_back(
-      {Patch{Rectangle{room.half_x, room.half_y}}, Pose::Identity(), kFloor, kNoInstance});
   for (int side = 0; side < 4; ++side) {
     const double angle = kTurn / 4 * side;
     const Vector3d in(-std::cos(angle), -std::sin(angle), 0);
@@ -199,8 +211,7 @@ void add_floor_and_walls(Room& room) {
     pose.linear().col(1) = up;
     pose.linear().col(0) = up.cross(in);
     pose.translation() = -in * (along_x ? room.half_x : room.half_y) + up * room.height / 2;
-    room.placed.push_back({Patch{Rectangle{along_x ? room.half_y : room.half_x, room.height / 2}},
-                           pose, kWall, kNoInstance});
+    tiled(pose, along_x ? room.half_y : room.half_x, room.height / 2, kWall);
   }
 }
 
