@@ -11,6 +11,7 @@
 #include "tools/campaign/laser.h"
 #include "tools/campaign/placement.h"
 #include "tools/campaign/removal.h"
+#include "tools/campaign/symmetry.h"
 
 namespace spool::campaign {
 namespace {
@@ -18,7 +19,14 @@ namespace {
 using Eigen::Vector3d;
 
 // Streams of the request's seed: what one purpose draws does not move another's numbers.
-enum Stream : std::uint64_t { kPlacing = 101, kStations, kFurnishing, kRemoving, kShuffling };
+enum Stream : std::uint64_t {
+  kPlacing = 101,
+  kStations,
+  kFurnishing,
+  kRemoving,
+  kShuffling,
+  kDefects
+};
 
 struct Stage {
   Room room;
@@ -125,7 +133,9 @@ void shuffle(std::vector<SensedPoint>& points, Random random) {
 Scene make_scene(const SceneRequest& request) {
   Scene scene{request};
   scene.design = design_of(request.kind, request.seed, request.braced);
-  scene.as_built = scene.design;
+  scene.as_built =
+      with_defects(scene.design, Random(request.seed, kDefects), scene.request.defects);
+  scene.symmetries = symmetries_of(scene.design);
   Stage stage = place_objects(request, scene);
   Random random(request.seed, kStations);
   scene.station_positions = stations_round(stage.object, request.stations, random, stage.room);

@@ -49,7 +49,7 @@ struct Instance {
 };
 
 struct Scene {
-  SceneRequest request;
+  SceneRequest request;                      // its defects completed: which part, how much
   PointCloud cloud;                          // m, scan frame, z up, in no order
   std::vector<std::uint16_t> labels = {};    // member of `as_built`, or 1000 and up for clutter
   std::vector<std::uint8_t> instances = {};  // of each point, kNoInstance for clutter

@@ -59,6 +59,18 @@ json components(const Scene& scene) {
   return all;
 }
 
+json defects(const Scene& scene) {
+  json all = json::array();
+  for (const Defect& each : scene.request.defects) {
+    const bool millimetres = each.kind == DefectKind::kLong || each.kind == DefectKind::kOffset;
+    json defect = {{"type", name(each.kind)}, {"component", each.part}};
+    if (!each.other.empty()) defect["other"] = each.other;
+    if (each.amount != 0) defect[millimetres ? "mm" : "deg"] = each.amount;
+    all.push_back(defect);
+  }
+  return all;
+}
+
 json truth(const Scene& scene) {
   json poses = json::array();
   for (const Instance& instance : scene.objects) poses.push_back(rows(instance.T_scan_design));
@@ -72,7 +84,7 @@ json truth(const Scene& scene) {
               {"completeness", scene.completeness},
               {"poses", poses},
               {"symmetries", symmetries},
-              {"defects", json::array()},
+              {"defects", defects(scene)},
               {"components", components(scene)},
               {"labels",
                {{"floor", kFloor},
