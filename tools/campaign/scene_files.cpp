@@ -101,6 +101,8 @@ json truth(const Scene& scene) {
 }
 
 json sensor(const Scene& scene) {
+  if (scene.request.sensor == SensorKind::kHandheld)
+    return {{"type", "depth_camera"}, {"frames", scene.T_scan_camera.size()}};
   json stations = json::array();
   for (const Eigen::Vector3d& p : scene.station_positions) stations.push_back(numbers(p));
   return {{"type", "laser_scanner"}, {"sigma_m", scene.request.noise_m}, {"stations", stations}};
@@ -115,7 +117,8 @@ Status write_json(const std::filesystem::path& path, const json& content) {
 Status write_scene(const Scene& scene, const std::filesystem::path& folder) {
   for (const char* each : {"", "design", "truth"})
     if (const Status made = make_folder(folder / each); !made) return made;
-  PlyColumn station{.name = "station", .type = PlyColumn::Type::kUchar};
+  const bool handheld = scene.request.sensor == SensorKind::kHandheld;
+  PlyColumn station{.name = handheld ? "frame" : "station", .type = PlyColumn::Type::kUchar};
   station.uchars = scene.stations;
   if (const Status s = write_ply(folder / "cloud.ply", scene.cloud, {station}); !s) return s;
   if (const Status s = write_json(folder / "sensor.json", sensor(scene)); !s) return s;
@@ -130,6 +133,12 @@ Status write_scene(const Scene& scene, const std::filesystem::path& folder) {
     const Pose T_design_scan = scene.objects.front().T_scan_design.inverse();
     const json pose = {{"T_design_scan", row_major(T_design_scan)}};
     if (const Status s = write_json(folder / "truth" / "pose.json", pose); !s) return s;
+  }
+  if (handheld) {
+    json cameras = json::array();
+    for (std::size_t i = 0; i < scene.T_scan_camera.size(); ++i)
+      cameras.push_back({{"frame", i}, {"camera_to_world", rows(scene.T_scan_camera[i])}});
+    if (const Status s = write_json(folder / "truth" / "poses.json", cameras); !s) return s;
   }
   return write_json(folder / "truth" / "truth.json", truth(scene));
 }

@@ -16,12 +16,16 @@ namespace {
 
 using spool::campaign::DefectKind;
 using spool::campaign::ObjectKind;
+using spool::campaign::SensorKind;
 
 const std::map<std::string, ObjectKind> kKinds = {{"pipe_spool_3m", ObjectKind::kPipeSpool3m},
                                                   {"small_spool", ObjectKind::kSmallSpool},
                                                   {"box_frame", ObjectKind::kBoxFrame},
                                                   {"four_branch", ObjectKind::kFourBranch},
                                                   {"random_spool", ObjectKind::kRandomSpool}};
+
+const std::map<std::string, SensorKind> kSensors = {{"laser", SensorKind::kLaser},
+                                                    {"handheld", SensorKind::kHandheld}};
 
 // "turned", "turned:4" or "turned:4:elbow_2": the kind, how much of it, to which part.
 spool::Result<spool::campaign::Defect> parse_defect(const std::string& text) {
@@ -70,6 +74,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 2));
   app.add_option("--noise-m", request.noise_m, "Noise along the ray, one standard deviation (m)")
       ->check(CLI::Range(0.0, 0.1))
+      ->capture_default_str();
+  app.add_option("--sensor", request.sensor, "Which sensor looks")
+      ->transform(CLI::CheckedTransformer(kSensors));
+  app.add_option("--frames", request.frames, "Frames of the hand-held sensor")
+      ->check(CLI::Range(1, 255))
       ->capture_default_str();
   app.add_option("--stations", request.stations, "Scanner stations")
       ->check(CLI::Range(1, 16))
