@@ -19,6 +19,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kBatch = 32 * kGrain;
 constexpr double kGrazing = 0.17;  // cosine of 80 degrees: what is flatter to the ray is lost
 constexpr double kNoCrop = std::numeric_limits<double>::infinity();
 constexpr double kBeyond = 0.05;  // m past the crop that noise may carry a point
@@ -26,9 +27,13 @@ constexpr double kBeyond = 0.05;  // m past the crop that noise may carry a poin
 // The patches of the object or of the clutter, drawn from by their areas.
 class Surfaces {
  public:
-  Surfaces(const RayWorld& world, bool object) : of_object_(object) {
+  // Of the clutter only what lies within `crop` (m) of the object's box.
+  Surfaces(const RayWorld& world, bool of_object, const Eigen::AlignedBox3d& object = {},
+           double crop = kNoCrop)
+      : of_object_(of_object) {
     for (std::uint32_t i = 0; i < world.placed().size(); ++i) {
-      if ((world.placed()[i].instance != kNoInstance) != object) continue;
+      if ((world.placed()[i].instance != kNoInstance) != of_object) continue;
+      if (crop < kNoCrop && object.exteriorDistance(world.box(i)) > crop) continue;
       area_ += sampled_area(world.placed()[i].patch);
       patches_.push_back(i);
       up_to_.push_back(area_);
@@ -36,8 +41,9 @@ class Surfaces {
   }
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] bool of_object() const { return of_object_; }
-  [[nodiscard]] std::uint32_t draw(Random& random) const {
-    const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), random.uniform(0, area_));
+  // The patch at `share` (0 to 1) of the area.
+  [[nodiscard]] std::uint32_t at(double share) const {
+    const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), share * area_);
     const auto index = static_cast<std::size_t>(found - up_to_.begin());
     return patches_[std::min(index, patches_.size() - 1)];
   }
@@ -56,13 +62,17 @@ struct Candidate {
   std::uint32_t placed = 0;
 };
 
-std::optional<Candidate> draw(const RayWorld& world, const Surfaces& surfaces, Random& random) {
-  const std::uint32_t index = surfaces.draw(random);
-  const Placed& placed = world.placed()[index];
-  const auto local = sample(placed.patch, random);
+// Candidate `i` of `count`: they go through the patches in order, each in its share, so that what
+// is near in space is looked at together.
+std::optional<Candidate> draw(const RayWorld& world, const Surfaces& surfaces, std::size_t i,
+                              std::size_t count, Random& random) {
+  const double place = static_cast<double>(i) + random.uniform();
+  const std::uint32_t index = surfaces.at(place / static_cast<double>(count));
+  const Patch& patch = world.placed()[index].patch;
+  const auto local = sample(patch, random);
   if (!local) return std::nullopt;
-  return Candidate{placed.T_scan_patch * *local,
-                   placed.T_scan_patch.linear() * normal_at(placed.patch, *local), index};
+  const Rigid& T_scan_patch = world.T_scan_patch(index);
+  return Candidate{T_scan_patch(*local), T_scan_patch.turn * normal_at(patch, *local), index};
 }
 
 // A station at random of those that see the point; nothing where none does.
@@ -92,7 +102,7 @@ Survey survey(const RayWorld& world, const Surfaces& surfaces,
   parallel_chunks(kSamples, kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Random random(seed, i);
-      const auto candidate = draw(world, surfaces, random);
+      const auto candidate = draw(world, surfaces, i, kSamples, random);
       if (candidate && seen_from(world, stations, *candidate, random))
         distance[i] = object.exteriorDistance(candidate->point);
     }
@@ -113,9 +123,9 @@ struct Scanner {
   std::vector<Pose> T_scan_station = {};  // what registration makes of a station's points
 
   // The measured point of one candidate, or nothing.
-  std::optional<SensedPoint> measure(const Surfaces& surfaces, double crop,
+  std::optional<SensedPoint> measure(const Surfaces& surfaces, std::size_t i, double crop,
                                      const PointSpacing& spacing, Random& random) const {
-    const auto candidate = draw(world, surfaces, random);
+    const auto candidate = draw(world, surfaces, i, kBatch, random);
     if (!candidate || beyond(candidate->point, crop)) return std::nullopt;
     // Cheap first: what has no room before its noise is known will hardly have room after.
     const double noise = settings.noise_m * random.normal();
@@ -158,12 +168,12 @@ struct Scanner {
   }
 
   // Adds points of the surfaces within `crop` of the object until there are `target` of the object
-  // or of clutter, whichever the surfaces are, with those that are there already.
-  void collect(const Surfaces& surfaces, double crop, double area, std::size_t target,
+  // or of clutter, whichever the surfaces are, with those that are there already. False: no room.
+  bool collect(const Surfaces& surfaces, double crop, double area, std::size_t target,
                std::uint64_t stream, std::vector<SensedPoint>& points, PointSpacing& spacing) const;
 };
 
-void Scanner::collect(const Surfaces& surfaces, double crop, double area, std::size_t target,
+bool Scanner::collect(const Surfaces& surfaces, double crop, double area, std::size_t target,
                       std::uint64_t stream, std::vector<SensedPoint>& points,
                       PointSpacing& spacing) const {
   const auto counts = [&](const SensedPoint& each) {
@@ -173,16 +183,19 @@ void Scanner::collect(const Surfaces& surfaces, double crop, double area, std::s
   // A surface all but full takes many tries a point; more than this and it is fuller than reckoned.
   const double hidden = surfaces.area() / area;
   const auto most = static_cast<std::size_t>(20 * hidden * static_cast<double>(target)) + 100'000;
-  constexpr std::size_t kBatch = 32 * kGrain;
   std::vector<std::optional<SensedPoint>> batch(kBatch);
   for (std::size_t tried = 0; have < target && tried < most; tried += kBatch) {
     parallel_chunks(kBatch, kGrain, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         Random random(seed, (stream << 40) + tried + i);
-        batch[i] = measure(surfaces, crop, spacing, random);
+        batch[i] = measure(surfaces, i, crop, spacing, random);
       }
     });
-    for (const auto& sensed : batch) {
+    // Not in the order of the patches: the target may be reached before the last of them.
+    constexpr std::size_t kStride = 40'503;  // odd, and so a permutation of a power of two
+    static_assert((kBatch & (kBatch - 1)) == 0);
+    for (std::size_t i = 0; i < kBatch; ++i) {
+      const auto& sensed = batch[i * kStride % kBatch];
       if (have >= target) break;
       if (!sensed || !spacing.has_room(sensed->point)) continue;
       spacing.add(sensed->point);
@@ -190,6 +203,7 @@ void Scanner::collect(const Surfaces& surfaces, double crop, double area, std::s
       if (counts(*sensed)) ++have;
     }
   }
+  return have >= target;
 }
 
 // Adds points until there are `target`, from the reckoned spacing to ever closer ones: noise and
@@ -201,8 +215,9 @@ void fill(const Scanner& scanner, const Surfaces& surfaces, double crop, double 
   for (int round = 0; round < 12; ++round) {
     PointSpacing spacing(std::pow(0.9, round) * spacing_m, points.size() + target);
     for (const SensedPoint& each : points) spacing.add(each.point);
-    scanner.collect(surfaces, crop, area, target, stream + static_cast<std::uint64_t>(round),
-                    points, spacing);
+    if (scanner.collect(surfaces, crop, area, target, stream + static_cast<std::uint64_t>(round),
+                        points, spacing))
+      return;
   }
 }
 
@@ -244,7 +259,8 @@ std::vector<SensedPoint> scan_with_laser(const RayWorld& world, const LaserSetti
     std::erase_if(points, [&](const SensedPoint& each) {
       return each.label == kMixedPixel && scanner.beyond(each.point.cast<double>(), crop);
     });
-    fill(scanner, surfaces, crop, share * seen.area, targets.clutter, points);
+    fill(scanner, Surfaces(world, false, object, crop), crop, share * seen.area, targets.clutter,
+         points);
   }
   return points;
 }

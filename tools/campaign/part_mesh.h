@@ -9,8 +9,8 @@
 namespace spool::campaign {
 
 // Corners of a full circle; a multiple of every number of bolt holes, so that the loops of a flange
-// share their corners. Chords leave a circle of radius r by r * (1 - cos(pi / 64)) = r / 830: 0.07 mm
-// at the wall of an NPS 4 pipe, 0.2 mm at the rim of an NPS 8 flange.
+// share their corners. Chords leave a circle of radius r by r * (1 - cos(pi / 64)) = r / 830: 0.07
+// mm at the wall of an NPS 4 pipe, 0.2 mm at the rim of an NPS 8 flange.
 inline constexpr int kCircleSteps = 64;
 // Of a bolt hole: 0.1 mm.
 inline constexpr int kHoleSteps = 24;

@@ -26,41 +26,46 @@ class PointSpacing {
 
   [[nodiscard]] bool has_room(const Eigen::Vector3f& p) const {
     const Eigen::Vector3i low = cell_of(p - Eigen::Vector3f::Constant(0.5F / inverse_));
-    for (int x = 0; x <= 1; ++x)
-      for (int y = 0; y <= 1; ++y)
-        for (int z = 0; z <= 1; ++z)
-          for (std::uint32_t i = heads_[slot(low + Eigen::Vector3i(x, y, z))]; i != kNone;
-               i = next_[i])
-            if ((points_[i] - p).squaredNorm() < spacing2_) return false;
+    for (int x = low.x(); x <= low.x() + 1; ++x)
+      for (int y = low.y(); y <= low.y() + 1; ++y)
+        for (int z = low.z(); z <= low.z() + 1; ++z)
+          for (std::uint32_t i = heads_[slot(x, y, z)]; i != kNone; i = points_[i].next)
+            if ((points_[i].point - p).squaredNorm() < spacing2_) return false;
     return true;
   }
 
   void add(const Eigen::Vector3f& p) {
-    std::uint32_t& head = heads_[slot(cell_of(p))];
-    points_.push_back(p);
-    next_.push_back(head);
+    const Eigen::Vector3i cell = cell_of(p);
+    std::uint32_t& head = heads_[slot(cell.x(), cell.y(), cell.z())];
+    points_.push_back({p, head});
     head = static_cast<std::uint32_t>(points_.size() - 1);
   }
 
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
+  struct Entry {
+    Eigen::Vector3f point;
+    std::uint32_t next;  // in the same slot
+  };
+
   [[nodiscard]] Eigen::Vector3i cell_of(const Eigen::Vector3f& p) const {
     return (p * inverse_).array().floor().cast<int>();
   }
-  [[nodiscard]] std::size_t slot(const Eigen::Vector3i& cell) const {
-    const auto part = [](int value, std::uint64_t prime) {
-      return static_cast<std::uint64_t>(static_cast<std::int64_t>(value)) * prime;
+  // Blocks of 4 x 4 x 4 cells are hashed, so that what lies near in space does so in memory.
+  [[nodiscard]] std::size_t slot(int x, int y, int z) const {
+    const auto part = [](int value, std::uint64_t factor) {
+      return static_cast<std::uint64_t>(std::int64_t{value >> 2}) * factor;
     };
-    const std::uint64_t hash = part(cell.x(), 0x9E3779B97F4A7C15U) ^
-                               part(cell.y(), 0xC2B2AE3D27D4EB4FU) ^
-                               part(cell.z(), 0x165667B19E3779F9U);
-    return static_cast<std::size_t>(hash ^ (hash >> 29)) & (heads_.size() - 1);
+    const std::uint64_t hash =
+        part(x, 0x9E3779B97F4A7C15U) ^ part(y, 0xC2B2AE3D27D4EB4FU) ^ part(z, 0x165667B19E3779F9U);
+    const auto within = static_cast<std::uint64_t>((x & 3) | (y & 3) << 2 | (z & 3) << 4);
+    return static_cast<std::size_t>((hash ^ (hash >> 29)) << 6 | within) & (heads_.size() - 1);
   }
 
   float inverse_, spacing2_;
-  std::vector<std::uint32_t> heads_, next_;
-  std::vector<Eigen::Vector3f> points_;
+  std::vector<std::uint32_t> heads_;
+  std::vector<Entry> points_;
 };
 
 // Disks as wide as the spacing, put down at random until no more fit, cover this much (Feder 1980).

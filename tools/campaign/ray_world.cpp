@@ -26,22 +26,21 @@ Eigen::AlignedBox3d box_of(const Placed& placed) {
 }  // namespace
 
 RayWorld::RayWorld(std::vector<Placed> placed) : placed_(std::move(placed)) {
-  std::vector<Eigen::AlignedBox3d> boxes;
   for (const Placed& each : placed_) {
-    boxes.push_back(box_of(each));
-    T_patch_scan_.push_back(each.T_scan_patch.inverse());
+    boxes_.push_back(box_of(each));
+    T_scan_patch_.emplace_back(each.T_scan_patch);
+    T_patch_scan_.emplace_back(each.T_scan_patch.inverse());
   }
   order_.resize(placed_.size());
   std::iota(order_.begin(), order_.end(), 0U);
-  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()), boxes);
+  if (!order_.empty()) build(0, static_cast<std::uint32_t>(order_.size()));
 }
 
-void RayWorld::build(std::uint32_t first, std::uint32_t count,
-                     const std::vector<Eigen::AlignedBox3d>& boxes) {
+void RayWorld::build(std::uint32_t first, std::uint32_t count) {
   Eigen::AlignedBox3d whole, centres;
   for (std::uint32_t i = first; i < first + count; ++i) {
-    whole.extend(boxes[order_[i]]);
-    centres.extend(boxes[order_[i]].center());
+    whole.extend(boxes_[order_[i]]);
+    centres.extend(boxes_[order_[i]].center());
   }
   const std::size_t self = nodes_.size();
   nodes_.push_back({whole.min(), whole.max(), first, count, 0});
@@ -51,12 +50,12 @@ void RayWorld::build(std::uint32_t first, std::uint32_t count,
   const std::uint32_t half = count / 2;
   const auto begin = order_.begin() + first;
   std::nth_element(begin, begin + half, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    return boxes[a].center()[axis] < boxes[b].center()[axis];
+    return boxes_[a].center()[axis] < boxes_[b].center()[axis];
   });
   nodes_[self].count = 0;
-  build(first, half, boxes);
+  build(first, half);
   nodes_[self].right = static_cast<std::uint32_t>(nodes_.size());
-  build(first + half, count - half, boxes);
+  build(first + half, count - half);
 }
 
 template <bool Any>
@@ -83,9 +82,9 @@ std::optional<Hit> RayWorld::walk(const Vector3d& from, const Vector3d& directio
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const std::uint32_t place = order_[i];
-      const Pose& T = T_patch_scan_[place];
+      const Rigid& T = T_patch_scan_[place];
       const auto distance =
-          first_hit(placed_[place].patch, T * from, T.linear() * direction, kStart, far);
+          first_hit(placed_[place].patch, T(from), T.turn * direction, kStart, far);
       if (!distance) continue;
       hit = Hit{*distance, place};
       if constexpr (Any) return hit;
@@ -106,8 +105,8 @@ bool RayWorld::blocked(const Vector3d& from, const Vector3d& to) const {
 }
 
 Vector3d RayWorld::normal(std::uint32_t placed, const Vector3d& point) const {
-  const Placed& each = placed_[placed];
-  return each.T_scan_patch.linear() * normal_at(each.patch, T_patch_scan_[placed] * point);
+  return T_scan_patch_[placed].turn *
+         normal_at(placed_[placed].patch, T_patch_scan_[placed](point));
 }
 
 }  // namespace spool::campaign
