@@ -1,4 +1,5 @@
-// spoolsight-find-campaign: how often the finder is right, wrong or silent on scenes of known truth.
+// spoolsight-find-campaign: how often the finder is right, wrong or silent on scenes of known
+// truth.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
@@ -48,18 +49,18 @@ std::vector<Row> rows() {
   for (const double completeness : {0.9, 0.7, 0.5}) {
     SceneRequest request = laser(kSpool, 81'000, 12);
     request.completeness = completeness;
-    all.push_back({"spool-complete-" + std::to_string(static_cast<int>(100 * completeness)),
-                   request});
+    all.push_back(
+        {"spool-complete-" + std::to_string(static_cast<int>(100 * completeness)), request});
   }
   for (const ObjectKind kind : {kSpool, kFrame}) {
     SceneRequest request = laser(kind, 81'000, 12);
     request.copies = 0;
     all.push_back({kind == kSpool ? "spool-absent" : "frame-absent", request});
   }
-  for (const auto& [name, defect] :
-       {std::pair("defect-turned", DefectKind::kTurned), std::pair("defect-long", DefectKind::kLong),
-        std::pair("defect-swapped", DefectKind::kSwapped),
-        std::pair("defect-missing", DefectKind::kMissing)}) {
+  for (const auto& [name, defect] : {std::pair("defect-turned", DefectKind::kTurned),
+                                     std::pair("defect-long", DefectKind::kLong),
+                                     std::pair("defect-swapped", DefectKind::kSwapped),
+                                     std::pair("defect-missing", DefectKind::kMissing)}) {
     SceneRequest request = laser(kSpool, 81'000, 12);
     request.defects = {{.kind = defect, .amount = defect == DefectKind::kLong ? 80.0 : 0.0}};
     all.push_back({name, request});
@@ -75,8 +76,10 @@ struct Miss {
 
 Miss miss_of(const Scene& scene, const PreparedDesign& design, const Pose& T_design_scan) {
   Miss least;
+  std::vector<Pose> symmetries = scene.symmetries;
+  if (symmetries.empty()) symmetries.push_back(Pose::Identity());
   for (const Instance& object : scene.objects)
-    for (const Pose& symmetry : scene.symmetries) {
+    for (const Pose& symmetry : symmetries) {
       const Pose error = symmetry * T_design_scan * object.T_scan_design;
       double sum = 0;
       for (const Eigen::Vector3f& p : design.samples.cloud.points) {
@@ -148,11 +151,13 @@ Result<void> run(const Row& row, std::uint32_t seed, bool say_each, Tally& tally
            ", " + std::to_string(1000 * miss.mean_m) + " mm";
   }
   for (const Finding& finding : inspection->findings)
-    if (!finding.part.empty()) what += "; " + finding.kind + " " + finding.part + ": " + finding.text;
+    if (!finding.part.empty())
+      what += "; " + finding.kind + " " + finding.part + ": " + finding.text;
   if (say_each) {
     std::printf("  %s %u: %s (object %zu of %zu)", row.name.c_str(), seed, what.c_str(),
                 scene.object_points, scene.cloud.size());
-    for (const Defect& defect : scene.request.defects) std::printf(" [defect of %s]", defect.part.c_str());
+    for (const Defect& defect : scene.request.defects)
+      std::printf(" [defect of %s]", defect.part.c_str());
     std::printf("\n");
   }
   return {};
@@ -166,8 +171,10 @@ double quantile(std::vector<double> values, double q) {
 }
 
 Result<int> campaign(const std::string& filter, int seeds, int first, bool say_each) {
-  std::printf("| %-18s | right | wrong | silent | ambig | s med / max | mm med / max | deg max | VR med / max | NR med / max |\n",
-              "scene");
+  std::printf(
+      "| %-18s | right | wrong | silent | ambig | s med / max | mm med / max | deg max | VR med / "
+      "max | NR med / max |\n",
+      "scene");
   for (const Row& row : rows()) {
     if (row.name.find(filter) == std::string::npos) continue;
     Tally tally;
@@ -199,6 +206,6 @@ int main(int argc, char** argv) {
   app.add_option("--seeds", seeds, "Scenes of each row")->capture_default_str()->type_name("N");
   app.add_option("--first", first, "First seed")->capture_default_str()->type_name("N");
   app.add_flag("--each", say_each, "A line for each scene");
-  return spool::run_program(app, argc, argv,
-                            [&] { return spool::campaign::campaign(filter, seeds, first, say_each); });
+  return spool::run_program(
+      app, argc, argv, [&] { return spool::campaign::campaign(filter, seeds, first, say_each); });
 }

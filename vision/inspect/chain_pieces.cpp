@@ -30,7 +30,8 @@ constexpr std::size_t kProbes = 200;  // of a piece's surface
 constexpr float kRoughGain = 0.2F;    // of a piece's surface that a motion has to win
 constexpr std::size_t kRefined = 16;  // motions looked at closely, each round
 constexpr std::size_t kLeastPoints = 25;
-constexpr double kLeastCoverage = 0.25;  // of the moved piece, by what is left
+constexpr double kLeastCoverage = 0.35;  // of the moved piece, by what is left of the scan…
+constexpr double kElsewhere = 0.6;       // …of one hung elsewhere: any like pipe lies elsewhere
 constexpr double kMostChance = 0.25;     // of the points on it, that clutter would put there
 constexpr double kAlike = 0.97;          // this near in gain: the shorter piece is meant
 constexpr std::size_t kMostPieces = 4;
@@ -184,7 +185,8 @@ class Weigher {
     weighed.gain = static_cast<double>(weighed.points.size()) - chance - static_cast<double>(lost);
     const Occupancy vouched(on, kRough * options_.size_m);
     const float coverage = pose_score(Eigen::Isometry3f::Identity(), vouched, shape.probes);
-    if (coverage < kLeastCoverage || weighed.gain < kLeastPoints) return std::nullopt;
+    const double least = motion.fault == PieceFault::kExchanged ? kElsewhere : kLeastCoverage;
+    if (coverage < least || weighed.gain < kLeastPoints) return std::nullopt;
     return weighed;
   }
 
