@@ -4,9 +4,9 @@
 #include "vision/inspector.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
+#include "vision/core/stage_clock.h"
 #include "vision/design/exterior.h"
 #include "vision/inspect/judge.h"
 #include "vision/inspect/scan_alignment.h"
@@ -16,24 +16,6 @@ namespace {
 
 constexpr std::size_t kModelSamples =
     12000;  // as many as the thesis's model had (12 061, Table 5-1)
-
-// Seconds since the last mark, written under a stage's name.
-class StageClock {
- public:
-  explicit StageClock(std::map<std::string, double>& timing_s) : timing_s_(timing_s) {}
-  void mark(const char* stage) {
-    const auto now = Clock::now();
-    timing_s_[stage] = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    timing_s_["total"] = std::chrono::duration<double>(now - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::map<std::string, double>& timing_s_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-};
 
 // How far (m) from the surface a kept point still counts as the object's. Ten standard deviations:
 // no reading of the surface gets there by noise. At least 20 mm, over three times the widest
@@ -108,6 +90,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   inspection.findings = collect_findings(inspection.alignment, judging);
   judge_whole(inspection, judging);
   clock.mark("judge");
+  inspection.timing_s["total"] = clock.total_s();
   return inspection;
 }
 
