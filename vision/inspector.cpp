@@ -72,18 +72,19 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   // Which of them are the object.
   inspection.declutter =
       inspection.alignment.found
-          ? declutter_knn(inspection.scan_design, design_->samples.cloud, options.declutter)
+          ? declutter_knn(inspection.scan_design, design_->samples.cloud, options.declutter, watch)
           : nothing_kept(scan.size(), options.declutter);
   clock.mark("declutter");
   // How far each of those lies off the design's surface.
   inspection.deviations = measure_deviations(inspection.scan_design, inspection.declutter.classes,
-                                             *design_->surface, deviation_bound(noise_m));
+                                             *design_->surface, deviation_bound(noise_m), watch);
   count_classes(inspection.declutter);
   inspection.scan_rms_m = rms(inspection.deviations);
   // What that says of each part.
   const std::vector<PartDeviation> parts =
       summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
-                      inspection.deviations, design_->samples);
+                      inspection.deviations, design_->samples, watch);
+  if (watch.cancelled()) mark_stopped(inspection.alignment);
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
