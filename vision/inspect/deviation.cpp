@@ -10,6 +10,7 @@
 
 #include "vision/core/parallel.h"
 #include "vision/scan/point_index.h"
+#include "vision/scan/spatial_order.h"
 
 namespace spool {
 namespace {
@@ -101,6 +102,8 @@ Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass
     std::fill(classes.begin(), classes.end(), PointClass::kClutter);
     return deviations;
   }
+  // Each answer is the same in any order; in this one a search finds its triangles in the cache.
+  put_in_spatial_order(scan_design.points, kept, watch);
   parallel_chunks(kept.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     const bool stopped = watch.cancelled();
     for (std::size_t n = begin; n < end; ++n) {
