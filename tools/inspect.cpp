@@ -40,7 +40,8 @@ std::string now_utc() {
 
 // ARCHITECTURE, Command lines: 3 outranks the statuses.
 int exit_code_of(const Inspection& inspection) {
-  if (!inspection.alignment.found || inspection.alignment.ambiguous) return 3;
+  const Alignment& alignment = inspection.alignment;
+  if (!alignment.found || (alignment.ambiguous && !alignment.is_symmetric)) return 3;
   if (inspection.status == Verdict::kNotOk) return 1;
   return inspection.status == Verdict::kOk ? 0 : 2;
 }
@@ -96,7 +97,8 @@ Result<int> inspect(const InspectOptions& options) {
   if (!model) return model.error();
   const auto datum = datum_parts(options.datum, *model);
   if (!datum) return datum.error();
-  auto design = PreparedDesign::prepare(std::move(*model), options.seed);
+  auto design = PreparedDesign::prepare(std::move(*model), options.seed,
+                                        settings->align == AlignMethod::kFind);
   if (!design) return design.error();
   const double design_s = seconds_since(start);
   // The scan.

@@ -17,14 +17,15 @@ Error usage(std::string sentence) { return {ErrorCode::kUsage, std::move(sentenc
 std::string method_text(const InspectOptions& options) {
   if (!options.align.empty()) return options.align;
   if (!options.pose.empty()) return "pose";
-  return options.pairs.empty() ? "principal-axes" : "three-point";
+  return options.pairs.empty() ? "find" : "three-point";
 }
 
 // What is wrong with a method's name; empty where nothing is (as CLI11 asks its validators).
 std::string wrong_method(const std::string& text) {
-  if (text == "find") return "find is not there yet; use --pairs, --pose or --align principal-axes";
   return parse_align_method(text) ? ""
-                                  : text + " is no method; use three-point, pose or principal-axes";
+                                  : text +
+                                        " is no method; use find, three-point, pose or "
+                                        "principal-axes";
 }
 
 bool is_known_standard(const std::string& standard) {
@@ -34,7 +35,8 @@ bool is_known_standard(const std::string& standard) {
 }  // namespace
 
 void add_inspect_options(CLI::App& app, InspectOptions& options) {
-  app.add_option("--design", options.designs, "Design: .glb .gltf .stl .obj .ply .pcd .xyz .txt")
+  app.add_option("--design", options.designs, "Design: .glb .gltf .stl .obj .ply .pcd .xyz .txt; given several times, the one "
+                 "that lies there is found")
       ->required()
       ->type_name("FILE");
   app.add_option("--scan", options.scan,
@@ -45,10 +47,9 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
                  "Frame of a recording to use, counted from 0; the first if not given")
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
-  app.add_option(
-         "--align", options.align,
-         "three-point, pose or principal-axes; by default pose if --pose is given, three-point if "
-         "--pairs is, else principal-axes")
+  app.add_option("--align", options.align,
+                 "find, three-point, pose or principal-axes; by default pose if --pose is given, "
+                 "three-point if --pairs is, else find")
       ->check(CLI::Validator(wrong_method, ""))
       ->type_name("METHOD");
   app.add_option(
@@ -91,9 +92,9 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
 }
 
 Status check(const InspectOptions& options) {
-  if (options.designs.size() != 1)
+  if (options.designs.size() > 1 && method_text(options) != "find")
     return usage("--design is given " + std::to_string(options.designs.size()) +
-                 " times; one design is inspected at a time, run once for each");
+                 " times; which of several lies there only --align find says, else give one design");
   if (!options.pairs.empty() && !options.pose.empty())
     return usage("--pairs and --pose contradict each other; give one of them");
   const std::string method = method_text(options);

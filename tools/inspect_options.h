@@ -35,7 +35,7 @@ struct InspectOptions {
 void add_inspect_options(CLI::App& app, InspectOptions& options);
 
 // The method by the rule of ARCHITECTURE, Command lines (pose, else three-point, else
-// principal-axes) with its files read; kUsage where flags contradict each other, kBadInput for the
+// find) with its files read; kUsage where flags contradict each other, kBadInput for the
 // files.
 [[nodiscard]] Result<InspectorOptions> inspector_options(const InspectOptions& options);
 

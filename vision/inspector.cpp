@@ -8,20 +8,16 @@
 
 #include "vision/core/stage_clock.h"
 #include "vision/design/exterior.h"
+#include "vision/inspect/explanation.h"
 #include "vision/inspect/judge.h"
 #include "vision/inspect/scan_alignment.h"
+#include "vision/inspect/spool_findings.h"
 
 namespace spool {
 namespace {
 
 constexpr std::size_t kModelSamples =
     12000;  // as many as the thesis's model had (12 061, Table 5-1)
-
-// How far (m) from the surface a kept point still counts as the object's. Ten standard deviations:
-// no reading of the surface gets there by noise. At least 20 mm, over three times the widest
-// tolerance of PFI ES-3 for a dimension (6 mm), so that an error worth a verdict is coloured and
-// not cut away.
-float deviation_bound(double noise_m) { return static_cast<float>(std::max(10 * noise_m, 0.020)); }
 
 bool has_finite_point(const PointCloud& scan) {
   return std::any_of(scan.points.begin(), scan.points.end(),
@@ -31,7 +27,8 @@ bool has_finite_point(const PointCloud& scan) {
 }  // namespace
 
 Result<std::shared_ptr<const PreparedDesign>> PreparedDesign::prepare(DesignModel model,
-                                                                      std::uint32_t seed) {
+                                                                      std::uint32_t seed,
+                                                                      bool to_be_found) {
   auto prepared = std::make_shared<PreparedDesign>();
   prepared->model = std::move(model);
   Result<DesignSurface> whole = DesignSurface::build(prepared->model);
@@ -42,6 +39,9 @@ Result<std::shared_ptr<const PreparedDesign>> PreparedDesign::prepare(DesignMode
   prepared->surface = std::make_unique<DesignSurface>(std::move(*surface));
   prepared->samples = seen_samples(sample_surface(prepared->exterior, kModelSamples, seed),
                                    prepared->model, *whole);
+  if (to_be_found)
+    prepared->finder = std::make_unique<FinderModel>(
+        FinderModel::prepare(prepared->exterior, *prepared->surface, prepared->samples, seed));
   return std::shared_ptr<const PreparedDesign>(std::move(prepared));
 }
 
@@ -56,9 +56,12 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   StageClock clock(inspection.timing_s);
 
   // Where the picks, the pose or nothing put the scan.
-  const AlignRequest request{options.align, options.pairs, options.T_design_scan};
-  const Placement placement = place_scan(request, design, scan.origin);
-  const double noise_m = typical_noise_m(scan, noise);
+  const AlignRequest request{options.align, options.pairs, options.T_design_scan,
+                             design_->finder.get(), options.seed};
+  const Placement placement =
+      place_scan(request, design, scan, typical_noise_m(scan, noise), watch);
+  const double noise_m = placement.noise_m;
+  clock.mark(options.align == AlignMethod::kFind ? "find" : "place");
   // What the refinement looks at: points near the design there, with normals.
   const PointCloud near = refinement_cloud(scan, *design_->surface, placement);
   clock.mark("normals");
@@ -69,26 +72,36 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   inspection.alignment.seconds = inspection.timing_s["normals"] + inspection.timing_s["align"];
   // Every point in the design frame, in input order.
   inspection.scan_design = to_design_frame(scan, design, inspection.alignment.T_design_scan);
-  // Which of them are the object.
-  inspection.declutter =
-      inspection.alignment.found
-          ? declutter_knn(inspection.scan_design, design_->samples.cloud, options.declutter, watch)
-          : nothing_kept(scan.size(), options.declutter);
+  // Which of them are the object, how far off its surface each lies, and what contradicts it.
+  if (inspection.alignment.found) {
+    Explanation explanation =
+        explain_scan({design, *design_->surface, design_->samples}, inspection.scan_design, noise_m,
+                     scan.has_normals(), options.declutter, watch);
+    inspection.declutter = std::move(explanation.declutter);
+    inspection.deviations = std::move(explanation.deviations);
+    inspection.pieces = std::move(explanation.pieces);
+  } else {
+    inspection.declutter = nothing_kept(scan.size(), options.declutter);
+    inspection.deviations = no_deviations(scan.size());
+  }
   clock.mark("declutter");
-  // How far each of those lies off the design's surface.
-  inspection.deviations = measure_deviations(inspection.scan_design, inspection.declutter.classes,
-                                             *design_->surface, deviation_bound(noise_m), watch);
-  count_classes(inspection.declutter);
   inspection.scan_rms_m = rms(inspection.deviations);
   // What that says of each part.
   const std::vector<PartDeviation> parts =
       summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
                       inspection.deviations, design_->samples, watch);
-  if (watch.cancelled()) mark_stopped(inspection.alignment);
+  if (watch.cancelled()) {  // half an inspection says nothing
+    mark_stopped(inspection.alignment);
+    inspection.pieces.clear();
+  }
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
+  judge_pieces(design, inspection.pieces, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
+  if (inspection.alignment.found)
+    for (Finding& finding : spool_findings(design, inspection.pieces, inspection.parts))
+      inspection.findings.push_back(std::move(finding));
   judge_whole(inspection, judging);
   clock.mark("judge");
   inspection.timing_s["total"] = clock.total_s();

@@ -13,6 +13,7 @@
 #include "vision/design/design_model.h"
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
+#include "vision/find/finder_model.h"
 #include "vision/inspect/inspection.h"
 #include "vision/scan/noise_model.h"
 
@@ -34,9 +35,11 @@ struct PreparedDesign {
   DesignModel exterior;                    // `model` without the triangles that no sensor can see
   std::unique_ptr<DesignSurface> surface;  // over `exterior`
   SurfaceSamples samples;                  // of `exterior`
+  std::unique_ptr<FinderModel> finder;     // where it was asked for: takes about a second
 
+  // `to_be_found`: kFind needs what is prepared for it besides.
   [[nodiscard]] static Result<std::shared_ptr<const PreparedDesign>> prepare(
-      DesignModel model, std::uint32_t seed = 1);
+      DesignModel model, std::uint32_t seed = 1, bool to_be_found = false);
 };
 
 // Runs the method of the thesis on one scan: align, declutter, measure, judge. Synchronous; const

@@ -15,18 +15,19 @@ namespace spool {
 enum class PointClass : std::uint8_t { kClutter = 0, kObject = 1, kContradicting = 2 };
 
 enum class DeclutterMethod {
+  kThreeClasses,   // by distance, normal and connectedness (explanation.h)
   kKnnClosedForm,  // K by eq. 5.5 on standardised sizes
   kKnnRatio,       // K = S / M, rounded (appendix A)
 };
 
 struct DeclutterOptions {
-  DeclutterMethod method = DeclutterMethod::kKnnRatio;
+  DeclutterMethod method = DeclutterMethod::kThreeClasses;
   int k = 0;  // over 0: this K, whatever the method says
 };
 
 struct DeclutterResult {
-  DeclutterMethod method = DeclutterMethod::kKnnRatio;
-  int k = 0;
+  DeclutterMethod method = DeclutterMethod::kThreeClasses;
+  int k = 0;                        // of the thesis's methods
   std::vector<PointClass> classes;  // one a scan point
   std::size_t object = 0, clutter = 0, contradicting = 0;
 };

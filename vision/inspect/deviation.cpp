@@ -82,13 +82,19 @@ void add_coverage(const CloudView& scan, const Deviations& deviations,
 
 }  // namespace
 
+Deviations no_deviations(std::size_t scan_points) {
+  Deviations deviations;
+  deviations.distance_m.assign(scan_points, std::numeric_limits<float>::quiet_NaN());
+  deviations.part.assign(scan_points, -1);
+  deviations.normal.assign(scan_points, Eigen::Vector3f::Zero());
+  return deviations;
+}
+
 Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass> classes,
                               const DesignSurface& surface, float max_distance,
                               const Watch& watch) {
   assert(classes.size() == scan_design.size() && "a class for every point");
-  Deviations deviations;
-  deviations.distance_m.assign(scan_design.size(), std::numeric_limits<float>::quiet_NaN());
-  deviations.part.assign(scan_design.size(), -1);
+  Deviations deviations = no_deviations(scan_design.size());
   std::vector<std::uint32_t> kept;
   kept.reserve(scan_design.size());
   const bool gathered = watched_loop(scan_design.size(), watch, [&](std::size_t i) {
@@ -116,6 +122,7 @@ Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass
       }
       deviations.distance_m[i] = hit->distance;
       deviations.part[i] = hit->part;
+      deviations.normal[i] = hit->normal;
     }
   });
   return deviations;

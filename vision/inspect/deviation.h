@@ -20,7 +20,11 @@ namespace spool {
 struct Deviations {
   std::vector<float> distance_m;  // + outside the design's surface
   std::vector<std::int32_t> part;
+  std::vector<Eigen::Vector3f> normal;  // unit, outward, of the surface there
 };
+
+// What there is to say where there is no pose: no distance for any point.
+[[nodiscard]] Deviations no_deviations(std::size_t scan_points);
 
 // Points in the design frame; those further than `max_distance` (m) count as clutter: their class
 // is changed. So do those that a cancelled run did not come to.

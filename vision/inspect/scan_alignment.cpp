@@ -9,6 +9,7 @@
 
 #include "vision/align/principal_axes.h"
 #include "vision/core/parallel.h"
+#include "vision/find/finder.h"
 #include "vision/scan/normals.h"
 #include "vision/scan/point_index.h"
 #include "vision/scan/thinning.h"
@@ -21,6 +22,7 @@ constexpr double kPickError =
 constexpr double kMinReach = 0.03, kMaxReach = 0.20;  // m
 constexpr std::size_t kRefinementPoints = 30000;
 constexpr int kNormalNeighbours = 12;
+constexpr double kFoundReach = 0.003;  // of the size; the finder's own refinement ends nearer
 constexpr double kMinOverlap =
     0.3;  // principal axes explain the object alone, not an object in a room
 
@@ -120,11 +122,46 @@ void align_by_pairs(const AlignRequest& request, const Placement& placement, con
   }
 }
 
+void place_by_finding(const AlignRequest& request, const PointCloud& scan, const Watch& watch,
+                      Placement& placement) {
+  assert(request.finder && "a design that is to be found was prepared for it");
+  const FinderModel& finder = *request.finder;
+  const FindResult result =
+      find_design(finder, scan.points, {.noise_m = placement.noise_m, .seed = request.seed}, watch);
+  placement.found = result.found;
+  placement.reason = result.reason;
+  if (!result.found) return;
+  placement.T_design_scan = result.best.T_design_scan;
+  // A sparse scan does not tell its own noise, its distances to the surface do.
+  placement.noise_m = std::min(placement.noise_m, std::max(1.2 * result.best.scale_m, 1e-4));
+  placement.reach_m = std::max(5 * placement.noise_m, kFoundReach * finder.size_m);
+  placement.is_symmetric = true;
+  for (const PoseEvidence& other : result.others) {
+    placement.alternatives.push_back(other.T_design_scan);
+    placement.is_symmetric = placement.is_symmetric &&
+                             finder.are_symmetric(result.best.T_design_scan, other.T_design_scan);
+  }
+}
+
+// Refines what was found, and what explains the scan as well.
+void align_by_finding(const Placement& placement, const PointCloud& near,
+                      const DesignSurface& surface, const IcpOptions& options, const Watch& watch,
+                      Alignment& alignment) {
+  const IcpResult icp = refine_icp(near, surface, placement.T_design_scan, options, watch);
+  take_icp(icp, alignment);
+  alignment.reason = what_to_mind(icp);
+  alignment.ambiguous = !placement.alternatives.empty();
+  alignment.is_symmetric = placement.is_symmetric;
+  alignment.alternatives = placement.alternatives;
+}
+
 }  // namespace
 
-Placement place_scan(const AlignRequest& request, const DesignModel& design,
-                     const Eigen::Vector3d& scan_origin) {
+Placement place_scan(const AlignRequest& request, const DesignModel& design, const PointCloud& scan,
+                     double noise_m, const Watch& watch) {
+  const Eigen::Vector3d& scan_origin = scan.origin;
   Placement placement;
+  placement.noise_m = noise_m;
   switch (request.method) {
     case AlignMethod::kPose:
       if (!request.T_design_scan) {
@@ -156,9 +193,7 @@ Placement place_scan(const AlignRequest& request, const DesignModel& design,
       placement.found = true;
       return placement;
     case AlignMethod::kFind:
-      placement.reason =
-          "Finding the design without a hint is not available in this version; pick "
-          "three pairs, or use principal axes on a scan of the spool alone.";
+      place_by_finding(request, scan, watch, placement);
       return placement;
   }
   assert(false && "every method places");
@@ -230,6 +265,7 @@ Alignment align_scan(const AlignRequest& request, const Placement& placement,
       align_by_axes(near, surface, samples, options, watch, alignment);
       break;
     case AlignMethod::kFind:
+      align_by_finding(placement, near, surface, options, watch, alignment);
       break;
   }
   if (watch.cancelled()) mark_stopped(alignment);

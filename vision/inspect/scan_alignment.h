@@ -12,6 +12,7 @@
 #include "vision/design/design_model.h"
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
+#include "vision/find/finder_model.h"
 #include "vision/inspect/inspection.h"
 #include "vision/scan/noise_model.h"
 
@@ -22,6 +23,8 @@ struct AlignRequest {
   AlignMethod method = AlignMethod::kPrincipalAxes;
   std::vector<PointPair> pairs;
   std::optional<Pose> T_design_scan;
+  const FinderModel* finder = nullptr;  // for kFind
+  std::uint32_t seed = 1;               // of its draws
 };
 
 // A first placement, between the origin-free frames that everything inside computes in.
@@ -31,12 +34,16 @@ struct Placement {
   Pose T_design_scan = Pose::Identity();
   std::optional<double> reach_m;  // m; how far off it may be; nothing: not placed yet, anywhere
   std::vector<double> pair_residual_m;
+  std::vector<Pose> alternatives;  // that explain the scan about as well, refined no further
+  bool is_symmetric = false;       // all of them by the design's own symmetry
+  double noise_m = 0;              // m, of a scan point: what is given, or what the pose shows
+  double explained = 0;            // found: points of the thinned scan that speak for it
 };
 
 // What the method itself gives before anything is refined. Reach of pairs: what picks some 10 mm
 // off (5-20 mm: ARCHITECTURE, Taps) do to the far end of the design.
 [[nodiscard]] Placement place_scan(const AlignRequest& request, const DesignModel& design,
-                                   const Eigen::Vector3d& scan_origin);
+                                   const PointCloud& scan, double noise_m, const Watch& watch = {});
 
 // The points that a refinement looks at: those within reach of the surface, at most some 30 000,
 // with normals (estimated and of no sign where the scan has none). Points are the scan's own, not

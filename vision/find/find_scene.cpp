@@ -1,0 +1,71 @@
+// The scan as the search sees it: thinned, floor and walls set aside, elements at each level.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/find/find_scene.h"
+
+#include <algorithm>
+
+#include "vision/scan/thinning.h"
+
+namespace spool {
+namespace {
+
+constexpr std::size_t kMostPoints = 1'500'000;  // above it every nth: memory stays bounded
+constexpr std::size_t kSpacingPlaces = 500;
+
+// As far apart as the points are where they are off floor and walls: the median distance to the
+// fourth neighbour (m).
+double spacing_m(const std::vector<Eigen::Vector3f>& points, const PointIndex& index, double most) {
+  std::vector<float> fourth;
+  std::vector<Neighbour> near;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / kSpacingPlaces);
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    index.nearest_k(points[i], 5, static_cast<float>(most), near);
+    fourth.push_back(near.size() == 5 ? near.back().distance : static_cast<float>(most));
+  }
+  if (fourth.empty()) return 0;
+  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
+  std::nth_element(fourth.begin(), middle, fourth.end());
+  return double{*middle};
+}
+
+}  // namespace
+
+FindScene::FindScene(const FinderModel& model, std::span<const Eigen::Vector3f> scan,
+                     double noise_m, const Watch& watch)
+    : model_(model), elements_(model.levels.size()) {
+  std::vector<Eigen::Vector3f> finite;
+  const std::size_t step = scan.size() / kMostPoints + 1;
+  was_cut_ = step > 1;
+  finite.reserve(scan.size() / step + 1);
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (!scan[i].allFinite()) continue;
+    if (finite_++ % step == 0) finite.push_back(scan[i]);
+  }
+  if (finite.empty() || watch.cancelled()) return;
+  planes_ = dominant_planes(finite, {.size_m = model.size_m, .noise_m = noise_m}, watch);
+  const std::vector<Eigen::Vector3f> off =
+      off_planes(finite, planes_, std::max(3 * noise_m, 0.003 * model.size_m));
+  points_ = thin_to_voxels(CloudView(off), model.cell_m()).points;
+  index_ = PointIndex(points_);
+  // Near is what a pair's pose may be off by, and what a sparse scan leaves between its points.
+  const double rough = model.rough_m();
+  occupancy_ =
+      Occupancy(points_, std::clamp(0.8 * spacing_m(points_, index_, 4 * rough), rough, 2 * rough));
+}
+
+const std::vector<Element>& FindScene::elements(std::size_t level, const Watch& watch) {
+  auto& elements = elements_[level];
+  if (!elements) {
+    const FinderLevel& at = model_.levels[level];
+    if (at.cell_m <= model_.cell_m()) {
+      elements = local_elements(points_, at.elements, watch);
+    } else {
+      elements =
+          local_elements(thin_to_voxels(CloudView(points_), at.cell_m).points, at.elements, watch);
+    }
+  }
+  return *elements;
+}
+
+}  // namespace spool

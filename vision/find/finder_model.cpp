@@ -1,0 +1,92 @@
+// What is prepared of a design so that it can be found in a scan.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/find/finder_model.h"
+
+#include <algorithm>
+#include <random>
+
+#include "vision/align/weak_directions.h"
+#include "vision/scan/thinning.h"
+
+namespace spool {
+namespace {
+
+constexpr std::size_t kElements = 1000;  // of the design, at each level: a million pairs
+constexpr std::size_t kProbes = 256;
+constexpr double kFieldReach = 0.03;  // of the size: twice what a pair's pose is off by
+
+template <class T>
+void shuffle(std::vector<T>& all, std::mt19937& random) {
+  for (std::size_t i = all.size(); i > 1; --i) std::swap(all[i - 1], all[random() % i]);
+}
+
+FinderLevel level_of(const FinderModel& model, const ElementOptions& options, double cell_m,
+                     std::mt19937& random) {
+  FinderLevel level{options, cell_m, {}};
+  const PointCloud thin = thin_to_voxels(CloudView(model.samples.points), cell_m);
+  std::vector<Element> elements = local_elements(thin.points, options);
+  shuffle(elements, random);
+  if (elements.size() > kElements) elements.resize(kElements);
+  level.pairs = PairTable(std::move(elements), model.size_m);
+  return level;
+}
+
+// Motions that points all over the surface would not hold.
+int free_motions_of(const PointCloud& samples) {
+  std::vector<Correspondence> matches;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    matches.push_back({samples.points[i], samples.normals[i], 0.0F, 1.0F});
+  const HeldMotions motions = held_motions(build_normal_equations(matches), matches);
+  return static_cast<int>(std::count(motions.weak.begin(), motions.weak.end(), true));
+}
+
+}  // namespace
+
+FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface& surface,
+                                 const SurfaceSamples& samples, std::uint32_t seed) {
+  FinderModel model;
+  model.size_m = design.bounds().diagonal().norm();
+  model.samples = samples.cloud;
+  model.part = samples.part;
+  model.parts = design.parts.size();
+  model.datums = design.datums;
+  for (const Joint& joint : design.joints) model.joints.push_back({joint.part_a, joint.part_b});
+  model.axes = joint_axes(design);
+  if (!model.samples.has_normals() || !(model.size_m > 0)) return model;
+  std::mt19937 random(seed);
+  model.probes = model.samples.points;
+  shuffle(model.probes, random);
+  if (model.probes.size() > kProbes) model.probes.resize(kProbes);
+  model.field = SurfaceField(model.samples, model.size_m / 200, kFieldReach * model.size_m);
+  const double cell = model.cell_m();
+  model.levels.push_back(level_of(model, {ElementKind::kSurface, 2.5 * cell, 7}, cell, random));
+  // Long and thin at a sixteenth and a tenth of the size: what shows where points are too few for
+  // a surface.
+  for (const double share : {0.06, 0.10}) {
+    const double radius = share * model.size_m;
+    model.levels.push_back(level_of(model, {ElementKind::kTube, radius, 6}, radius / 5, random));
+  }
+  model.alike = self_likenesses(model, seed);
+  for (const SelfLikeness& alike : model.alike)
+    if (std::optional<Pose> exact = exact_symmetry(model, surface, alike))
+      model.symmetries.push_back(*exact);
+  model.free_motions = free_motions_of(model.samples);
+  return model;
+}
+
+bool FinderModel::are_symmetric(const Pose& T_a, const Pose& T_b) const {
+  return std::any_of(symmetries.begin(), symmetries.end(), [&](const Pose& motion) {
+    return displacement_m(*this, (motion * T_a).cast<float>(), T_b.cast<float>()) < same_m();
+  });
+}
+
+double displacement_m(const FinderModel& model, const Eigen::Isometry3f& T_a,
+                      const Eigen::Isometry3f& T_b) {
+  const Eigen::Isometry3f T = T_b * T_a.inverse();
+  double sum = 0;
+  for (const Eigen::Vector3f& p : model.probes) sum += (T * p - p).norm();
+  return model.probes.empty() ? 0 : sum / static_cast<double>(model.probes.size());
+}
+
+}  // namespace spool

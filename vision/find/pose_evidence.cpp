@@ -1,0 +1,94 @@
+// What speaks for a pose: the scan points it explains, and how much of the design they vouch for.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/find/pose_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "vision/align/weak_directions.h"
+
+namespace spool {
+namespace {
+
+constexpr std::size_t kSpacingPlaces = 300;
+
+// As far apart as the scan's points are where it is explained (m): the median distance of an
+// explained point to its fourth neighbour in the whole scan. Were it the explained points' own
+// distance, a few chance hits far apart would vouch for all between them.
+double spacing_m(const FindScene& scene, const std::vector<std::uint32_t>& on, double most) {
+  std::vector<float> fourth;
+  std::vector<Neighbour> near;
+  const std::size_t step = std::max<std::size_t>(1, on.size() / kSpacingPlaces);
+  for (std::size_t i = 0; i < on.size(); i += step) {
+    scene.index().nearest_k(scene.points()[on[i]], 5, static_cast<float>(most), near);
+    fourth.push_back(near.size() == 5 ? near.back().distance : static_cast<float>(most));
+  }
+  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
+  std::nth_element(fourth.begin(), middle, fourth.end());
+  return double{*middle};
+}
+
+}  // namespace
+
+PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
+                        const Eigen::Isometry3f& T_design_scan, double gate_m) {
+  PoseEvidence evidence;
+  evidence.T_design_scan = T_design_scan.cast<double>();
+  evidence.T_design_scan.linear() =
+      Eigen::Quaterniond(evidence.T_design_scan.linear()).normalized().toRotationMatrix();
+  evidence.per_part.assign(model.parts, 0);
+  std::vector<std::uint32_t> on;
+  std::vector<Correspondence> matches;
+  std::vector<Eigen::Vector3f> on_design;
+  std::size_t round_it = 0;
+  std::vector<float> distances;
+  const double reach = model.field.reach_m();
+  const auto gate = static_cast<float>(gate_m);
+  const auto beside2 = static_cast<float>(std::pow(2 * model.field.cell_m(), 2) + gate_m * gate_m);
+  const std::vector<Eigen::Vector3f>& points = scene.points();
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f p = T_design_scan * points[i];
+    const std::uint16_t s = model.field.nearest(p);
+    if (s == SurfaceField::kFar) continue;
+    const Eigen::Vector3f offset = p - model.samples.points[s];
+    const float r = model.samples.normals[s].dot(offset);
+    if (std::abs(r) > gate || offset.squaredNorm() > beside2) {
+      ++round_it;
+      continue;
+    }
+    on.push_back(i);
+    on_design.push_back(p);
+    matches.push_back({p, model.samples.normals[s], r, 1.0F});
+    distances.push_back(std::abs(r));
+    ++evidence.per_part[static_cast<std::size_t>(model.part[s])];
+  }
+  evidence.explained = on.size();
+  // What lies round the surface but not on it is clutter: as thick a layer of it lies on it too.
+  evidence.chance = static_cast<double>(round_it) * gate_m / std::max(gate_m, reach - gate_m);
+  evidence.free_motions = 6;
+  if (on.size() < 8) return evidence;
+  const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), median, distances.end());
+  evidence.scale_m = 1.4826 * double{*median};
+  const HeldMotions motions = held_motions(build_normal_equations(matches), matches);
+  // What only as many points hold as clutter would put there by chance is not held.
+  const double least = 2 * evidence.chance + 3 * std::sqrt(evidence.chance);
+  evidence.free_motions = 0;
+  for (std::size_t i = 0; i < motions.weak.size(); ++i)
+    if (motions.weak[i] || motions.held[static_cast<Eigen::Index>(i)] < least)
+      ++evidence.free_motions;
+  const double near = std::clamp(1.3 * spacing_m(scene, on, 4 * model.rough_m()),
+                                 model.size_m / 150, 4 * model.rough_m());
+  const Occupancy vouched(on_design, near);
+  std::size_t covered = 0;
+  for (const Eigen::Vector3f& p : model.probes) covered += vouched.is_near(p) ? 1U : 0U;
+  evidence.coverage = static_cast<double>(covered) / static_cast<double>(model.probes.size());
+  evidence.points = std::move(on);
+  return evidence;
+}
+
+}  // namespace spool
