@@ -4,9 +4,9 @@
 #include "vision/inspector.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
+#include "vision/core/stage_clock.h"
 #include "vision/design/exterior.h"
 #include "vision/inspect/explanation.h"
 #include "vision/inspect/judge.h"
@@ -18,24 +18,6 @@ namespace {
 
 constexpr std::size_t kModelSamples =
     12000;  // as many as the thesis's model had (12 061, Table 5-1)
-
-// Seconds since the last mark, written under a stage's name.
-class StageClock {
- public:
-  explicit StageClock(std::map<std::string, double>& timing_s) : timing_s_(timing_s) {}
-  void mark(const char* stage) {
-    const auto now = Clock::now();
-    timing_s_[stage] = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    timing_s_["total"] = std::chrono::duration<double>(now - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::map<std::string, double>& timing_s_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-};
 
 bool has_finite_point(const PointCloud& scan) {
   return std::any_of(scan.points.begin(), scan.points.end(),
@@ -107,7 +89,11 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   // What that says of each part.
   const std::vector<PartDeviation> parts =
       summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
-                      inspection.deviations, design_->samples);
+                      inspection.deviations, design_->samples, watch);
+  if (watch.cancelled()) {  // half an inspection says nothing
+    mark_stopped(inspection.alignment);
+    inspection.pieces.clear();
+  }
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
@@ -118,6 +104,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
       inspection.findings.push_back(std::move(finding));
   judge_whole(inspection, judging);
   clock.mark("judge");
+  inspection.timing_s["total"] = clock.total_s();
   return inspection;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "vision/core/cancel.h"
 #include "vision/core/cloud_view.h"
 
 namespace spool {
@@ -38,9 +39,10 @@ struct DeclutterResult {
 [[nodiscard]] int k_ratio(std::size_t scene_points, std::size_t model_points);
 
 // The union of the K nearest scan points of every model point, each once. Both clouds in
-// the design frame. Points that are not finite are clutter.
+// the design frame. Points that are not finite are clutter. Of a cancelled run nothing is kept.
 [[nodiscard]] DeclutterResult declutter_knn(const CloudView& scan, const CloudView& model_samples,
-                                            const DeclutterOptions& options = {});
+                                            const DeclutterOptions& options = {},
+                                            const Watch& watch = {});
 
 // The result where there is no pose: every point is clutter.
 [[nodiscard]] DeclutterResult nothing_kept(std::size_t scan_points,

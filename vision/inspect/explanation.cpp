@@ -98,9 +98,9 @@ Explanation explain_scan(const ExplainedDesign& design, const PointCloud& scan_d
                          const Watch& watch) {
   Explanation explanation;
   if (options.method != DeclutterMethod::kThreeClasses || options.k > 0) {
-    explanation.declutter = declutter_knn(scan_design, design.samples.cloud, options);
+    explanation.declutter = declutter_knn(scan_design, design.samples.cloud, options, watch);
     explanation.deviations = measure_deviations(scan_design, explanation.declutter.classes,
-                                                design.surface, deviation_bound(noise_m));
+                                                design.surface, deviation_bound(noise_m), watch);
     count_classes(explanation.declutter);
     return explanation;
   }
@@ -110,7 +110,7 @@ Explanation explain_scan(const ExplainedDesign& design, const PointCloud& scan_d
   std::vector<PointClass>& classes = explanation.declutter.classes;
   classes.assign(scan_design.size(), PointClass::kObject);
   explanation.deviations =
-      measure_deviations(scan_design, classes, design.surface, deviation_bound(noise_m));
+      measure_deviations(scan_design, classes, design.surface, deviation_bound(noise_m), watch);
   classify_by_surface(scan_design, explanation.deviations, planes,
                       {.noise_m = noise_m, .oriented_normals = oriented_normals}, classes, watch);
   forget_clutter(classes, explanation.deviations);
