@@ -16,9 +16,8 @@
 #include "app/evidence/scan_snapshot.h"
 #include "app/evidence/writer.h"
 #include "render/egl_context.h"
+#include "tools/inspect_designs.h"
 #include "tools/inspect_options.h"
-#include "vision/design/design_reader.h"
-#include "vision/inspector.h"
 
 namespace spool::tools {
 namespace {
@@ -80,7 +79,6 @@ void print_summary(const evidence::InspectionRecord& record, bool has_pictures,
 }
 
 Result<int> inspect(const InspectOptions& options) {
-  const auto start = Clock::now();
   Progress progress;
   if (auto status = check(options); !status) return status.error();
   auto settings = inspector_options(options);
@@ -91,16 +89,6 @@ Result<int> inspect(const InspectOptions& options) {
     if (!read) return read.error();
     calibration = *read;
   }
-  // The design.
-  progress.report("design", 0);
-  auto model = read_design(options.designs.front(), parse_length_unit(options.design_unit));
-  if (!model) return model.error();
-  const auto datum = datum_parts(options.datum, *model);
-  if (!datum) return datum.error();
-  auto design = PreparedDesign::prepare(std::move(*model), options.seed,
-                                        settings->align == AlignMethod::kFind);
-  if (!design) return design.error();
-  const double design_s = seconds_since(start);
   // The scan.
   progress.report("scan", 0);
   const auto scan_start = Clock::now();
@@ -108,18 +96,22 @@ Result<int> inspect(const InspectOptions& options) {
       evidence::read_scan(options.scan, parse_length_unit(options.scan_unit), options.frame);
   if (!scan) return scan.error();
   const double scan_s = seconds_since(scan_start);
-  // The main path.
-  settings->units_confirmed = !(*design)->model.unit_inferred && !scan->record.unit_inferred;
+  // The main path, for each design that may lie there.
+  progress.report("design", 0);
   settings->single_frame = scan->single_frame;
   const Watch watch{{},
                     [&](std::string_view stage, double share) { progress.report(stage, share); }};
-  auto inspection = Inspector(*design).process(scan->cloud, scan->noise, *settings, watch);
-  if (!inspection) return inspection.error();
-  inspection->timing_s["read_design"] = design_s;
-  inspection->timing_s["read_scan"] = scan_s;
+  auto inspected = inspect_designs(options, *settings, scan->cloud, scan->noise,
+                                   scan->record.unit_inferred, watch);
+  if (!inspected) return inspected.error();
+  const auto& design = inspected->design;
+  inspected->inspection.timing_s["read_design"] = inspected->read_s;
+  inspected->inspection.timing_s["read_scan"] = scan_s;
+  const auto datum = datum_parts(options.datum, design->model);
+  if (!datum) return datum.error();
   // What is left behind.
-  evidence::InspectionRecord record{.design = *design,
-                                    .inspection = std::move(*inspection),
+  evidence::InspectionRecord record{.design = design,
+                                    .inspection = std::move(inspected->inspection),
                                     .scan = scan->record,
                                     .sensor = scan->sensor,
                                     .calibration = calibration.value_or(scan->calibration),
@@ -128,7 +120,9 @@ Result<int> inspect(const InspectOptions& options) {
                                     .feet_inches = options.units == "ft-in",
                                     .noise_m = scan->noise_m,
                                     .created = now_utc(),
-                                    .warnings = (*design)->model.warnings};
+                                    .warnings = design->model.warnings};
+  record.warnings.insert(record.warnings.end(), inspected->warnings.begin(),
+                         inspected->warnings.end());
   record.warnings.insert(record.warnings.end(), scan->warnings.begin(), scan->warnings.end());
   progress.report("pictures", 0);
   const auto pictures = pictures_of(record);

@@ -35,7 +35,8 @@ bool is_known_standard(const std::string& standard) {
 }  // namespace
 
 void add_inspect_options(CLI::App& app, InspectOptions& options) {
-  app.add_option("--design", options.designs, "Design: .glb .gltf .stl .obj .ply .pcd .xyz .txt; given several times, the one "
+  app.add_option("--design", options.designs,
+                 "Design: .glb .gltf .stl .obj .ply .pcd .xyz .txt; given several times, the one "
                  "that lies there is found")
       ->required()
       ->type_name("FILE");
@@ -93,8 +94,9 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
 
 Status check(const InspectOptions& options) {
   if (options.designs.size() > 1 && method_text(options) != "find")
-    return usage("--design is given " + std::to_string(options.designs.size()) +
-                 " times; which of several lies there only --align find says, else give one design");
+    return usage(
+        "--design is given " + std::to_string(options.designs.size()) +
+        " times; which of several lies there only --align find says, else give one design");
   if (!options.pairs.empty() && !options.pose.empty())
     return usage("--pairs and --pose contradict each other; give one of them");
   const std::string method = method_text(options);

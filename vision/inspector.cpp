@@ -4,42 +4,20 @@
 #include "vision/inspector.h"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
+#include "vision/core/stage_clock.h"
 #include "vision/design/exterior.h"
+#include "vision/inspect/explanation.h"
 #include "vision/inspect/judge.h"
 #include "vision/inspect/scan_alignment.h"
+#include "vision/inspect/spool_findings.h"
 
 namespace spool {
 namespace {
 
 constexpr std::size_t kModelSamples =
     12000;  // as many as the thesis's model had (12 061, Table 5-1)
-
-// Seconds since the last mark, written under a stage's name.
-class StageClock {
- public:
-  explicit StageClock(std::map<std::string, double>& timing_s) : timing_s_(timing_s) {}
-  void mark(const char* stage) {
-    const auto now = Clock::now();
-    timing_s_[stage] = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    timing_s_["total"] = std::chrono::duration<double>(now - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  std::map<std::string, double>& timing_s_;
-  Clock::time_point start_ = Clock::now();
-  Clock::time_point last_ = start_;
-};
-
-// How far (m) from the surface a kept point still counts as the object's. Ten standard deviations:
-// no reading of the surface gets there by noise. At least 20 mm, over three times the widest
-// tolerance of PFI ES-3 for a dimension (6 mm), so that an error worth a verdict is coloured and
-// not cut away.
-float deviation_bound(double noise_m) { return static_cast<float>(std::max(10 * noise_m, 0.020)); }
 
 bool has_finite_point(const PointCloud& scan) {
   return std::any_of(scan.points.begin(), scan.points.end(),
@@ -94,27 +72,39 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   inspection.alignment.seconds = inspection.timing_s["normals"] + inspection.timing_s["align"];
   // Every point in the design frame, in input order.
   inspection.scan_design = to_design_frame(scan, design, inspection.alignment.T_design_scan);
-  // Which of them are the object.
-  inspection.declutter =
-      inspection.alignment.found
-          ? declutter_knn(inspection.scan_design, design_->samples.cloud, options.declutter)
-          : nothing_kept(scan.size(), options.declutter);
+  // Which of them are the object, how far off its surface each lies, and what contradicts it.
+  if (inspection.alignment.found) {
+    Explanation explanation =
+        explain_scan({design, *design_->surface, design_->samples}, inspection.scan_design, noise_m,
+                     scan.has_normals(), options.declutter, watch);
+    inspection.declutter = std::move(explanation.declutter);
+    inspection.deviations = std::move(explanation.deviations);
+    inspection.pieces = std::move(explanation.pieces);
+  } else {
+    inspection.declutter = nothing_kept(scan.size(), options.declutter);
+    inspection.deviations = no_deviations(scan.size());
+  }
   clock.mark("declutter");
-  // How far each of those lies off the design's surface.
-  inspection.deviations = measure_deviations(inspection.scan_design, inspection.declutter.classes,
-                                             *design_->surface, deviation_bound(noise_m));
-  count_classes(inspection.declutter);
   inspection.scan_rms_m = rms(inspection.deviations);
   // What that says of each part.
   const std::vector<PartDeviation> parts =
       summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
-                      inspection.deviations, design_->samples);
+                      inspection.deviations, design_->samples, watch);
+  if (watch.cancelled()) {  // half an inspection says nothing
+    mark_stopped(inspection.alignment);
+    inspection.pieces.clear();
+  }
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
+  judge_pieces(design, inspection.pieces, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
+  if (inspection.alignment.found)
+    for (Finding& finding : spool_findings(design, inspection.pieces, inspection.parts))
+      inspection.findings.push_back(std::move(finding));
   judge_whole(inspection, judging);
   clock.mark("judge");
+  inspection.timing_s["total"] = clock.total_s();
   return inspection;
 }
 

@@ -18,6 +18,7 @@ constexpr double kNeutralLeast = 0.0005;  // m
 constexpr float kFrameSeconds = 1.0F / 30.0F;
 constexpr double kDesignFovDeg = 35.0;
 constexpr double kDesignMargin = 0.05;  // of its size: marks at its edge stay in the picture
+constexpr std::size_t kLandmarks = 12;  // three, and some to take instead
 constexpr double kLeastPointPx = 2.0;
 constexpr double kMostPointPx = 12.0;
 }  // namespace
@@ -26,8 +27,9 @@ Application::Application(ApplicationInputs inputs)
     : in_(std::move(inputs)),
       imgui_(ImGui::CreateContext(), [](ImGuiContext* context) { ImGui::DestroyContext(context); }),
       poses_(in_.design->model.origin),
-      landmarks_(propose_landmarks(in_.design->model, *in_.design->surface)),
-      picks_(landmarks_.landmarks),
+      landmarks_(propose_landmarks(in_.design->model, *in_.design->surface, kLandmarks)),
+      picks_(landmarks_.landmarks,
+             [this](std::span<const PointPair> pairs) { return landmark_evidence(pairs); }),
       gestures_(tap_slop_px(in_.dots_per_inch)) {}
 
 Application::~Application() {
@@ -64,6 +66,8 @@ Status Application::resize(int width, int height) {
   layout_ = ui::lay_out(width, height, theme_.dp);
   design_eye_ = scan_eye_ = work_eye_ = ViewControl();
   detached_ = false;
+  still_of_ = nullptr;  // drawn anew where it stands now
+  picture_->drop_still();
   return picture_->resize(width, height);
 }
 
@@ -146,6 +150,7 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
       ui::draw_screen(screen_state(), theme_, layout_, targets_);
   ImGui::Render();
 
+  if (const Status status = update_still(); !status) return status;
   if (const VisionStatePtr& state = shown()) picture_->set_state(*state);
   if (const Status status = picture_->draw(scenes(), *ImGui::GetDrawData()); !status) return status;
   if (pending_screen_) {
@@ -157,11 +162,30 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   return {};
 }
 
-// A point covers what its pixels see: in the camera's own picture the cloud has no gaps, and from
-// nearer by the spacing at the middle of what was measured.
-void Application::set_point_size(ScenePicture& scene, const VisionState& state) const {
+// While the spool is lost the last good view stands by as a small still, seen as the camera saw it.
+Status Application::update_still() {
+  const VisionStatePtr wanted = shows_still() ? last_tracked_ : nullptr;
+  if (wanted == still_of_) return {};
+  still_of_ = wanted;
+  if (!wanted) {
+    picture_->drop_still();
+    return {};
+  }
+  ScenePicture scene;
+  scene.rect = layout_.still;
+  scene.view = camera_view(wanted.get(), static_cast<int>(layout_.still.width),
+                           static_cast<int>(layout_.still.height));
+  set_look(scene, *wanted);
+  return picture_->keep_still(*wanted, scene);
+}
+
+// How a state's points are drawn. A point covers what its pixels see: in the camera's own picture
+// the cloud has no gaps, and from nearer by the spacing at the middle of what was measured.
+void Application::set_look(ScenePicture& scene, const VisionState& state) const {
   const double pixel = state.stride_px / in_.camera.fx;  // as a slope
   scene.point_px = std::clamp(scene.view.camera.fx * pixel + 0.5, kLeastPointPx, kMostPointPx);
+  // To a tenth of a millimetre, as the legend writes it.
+  scene.neutral_m = std::max(kNeutralLeast, 1e-4 * std::round(1e4 * state.point_noise_m));
   if (state.scan.empty()) return;
   scene.point_spacing_m = pixel * static_cast<double>(state.scan.points[state.scan.size() / 2].z());
 }
@@ -208,31 +232,29 @@ std::vector<ScenePicture> Application::scenes() {
     scan.of_scan = true;
     scan.show_cloud = state != nullptr;
     scan.markers = scan_markers();
-    if (state) set_point_size(scan, *state);
+    if (state) set_look(scan, *state);
     out.push_back(std::move(scan));
     return out;
   }
   ScenePicture work;
   work.rect = layout_.work_view;
-  work.view = camera_view(in_.width, in_.height);
+  work.view = camera_view(state.get(), in_.width, in_.height);
   if (!tracked) {  // no overlay at a pose that is not believed
     work.of_scan = true;
     work.show_cloud = state != nullptr;
     work.view.T_camera_design = Pose::Identity();
-    if (state) set_point_size(work, *state);
+    if (state) set_look(work, *state);
     out.push_back(std::move(work));
     return out;
   }
   if (detached_) {
     work.view = work_eye_.view();
   }
-  set_point_size(work, *state);
+  set_look(work, *state);
   work.show_cloud = view_mode_ != 2;
   work.show_design = view_mode_ != 1;
   work.show_legend = true;
   work.lit_part = lit_part_;
-  // To a tenth of a millimetre, as the legend writes it.
-  work.neutral_m = std::max(kNeutralLeast, 1e-4 * std::round(1e4 * state->point_noise_m));
   work.legend_top_px = layout_.strip.height;
   work.legend_bottom_px = layout_.legend_bottom;
   out.push_back(std::move(work));
@@ -244,7 +266,9 @@ bool Application::is_idle() const {
 }
 
 void Application::give_up_picks() {
-  if (held_ && !awaiting_alignment_) release_picture();
+  if (!held_ || awaiting_alignment_) return;
+  picks_.clear();
+  release_picture();
 }
 
 }  // namespace spool

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -87,7 +88,8 @@ class Application {
   [[nodiscard]] const VisionStatePtr& shown() const { return held_ ? held_ : state_; }
   void route(const std::vector<ui::TouchEvent>& events);
   [[nodiscard]] std::vector<ScenePicture> scenes();
-  void set_point_size(ScenePicture& scene, const VisionState& state) const;
+  void set_look(ScenePicture& scene, const VisionState& state) const;
+  [[nodiscard]] Status update_still();
   // application_commands.cpp
   void handle(const ui::Command& command);
   void handle(const ui::Gesture& gesture);
@@ -95,6 +97,7 @@ class Application {
   void start_align();
   void finish_align();
   void leave_align();
+  [[nodiscard]] std::vector<double> landmark_evidence(std::span<const PointPair> pairs) const;
   void hold_picture();
   void release_picture();
   void start_check(bool final);
@@ -106,7 +109,8 @@ class Application {
   [[nodiscard]] ui::ScreenState screen_state() const;
   void fill_align(ui::ScreenState& out) const;
   void fill_work(ui::ScreenState& out) const;
-  [[nodiscard]] render::View camera_view(int width, int height) const;
+  [[nodiscard]] bool shows_still() const;
+  [[nodiscard]] render::View camera_view(const VisionState* state, int width, int height) const;
   [[nodiscard]] std::vector<render::Marker> design_markers() const;
   [[nodiscard]] std::vector<render::Marker> scan_markers() const;
 
@@ -123,6 +127,7 @@ class Application {
   VisionStatePtr state_;         // the newest
   VisionStatePtr held_;          // picks are being made on this one
   VisionStatePtr last_tracked_;  // the newest with a believed pose
+  VisionStatePtr still_of_;      // the last good view that the picture holds; none: none
   ui::Screen screen_ = ui::Screen::kAlign;
   bool aligned_ = false;
   std::uint64_t alignments_asked_ = 0;

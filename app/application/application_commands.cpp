@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/application/application.h"
+#include "app/application/landmark_evidence.h"
 #include "app/application/picking.h"
 #include "app/evidence/writer.h"
 #include "vision/core/file_digest.h"
@@ -45,8 +46,12 @@ void Application::handle(const ui::Command& command) {
       finish_align();
       break;
     case ui::Action::kBack:
+      picks_.clear();
       release_picture();
       screen_ = ui::Screen::kWork;
+      break;
+    case ui::Action::kSkip:
+      picks_.skip();
       break;
     case ui::Action::kUndo:
       picks_.undo();
@@ -100,7 +105,7 @@ void Application::handle(const ui::Gesture& gesture) {
   const VisionStatePtr& state = shown();
   if (!state || !state->is_tracked()) return;
   if (!detached_) {
-    const render::View view = camera_view(in_.width, in_.height);
+    const render::View view = camera_view(state.get(), in_.width, in_.height);
     work_eye_.start(view, (view.T_camera_design * in_.design->model.bounds().center()).z());
     detached_ = true;
   }
@@ -112,7 +117,8 @@ void Application::tap(const ui::Gesture& gesture) {
   if (screen_ == ui::Screen::kWork) {
     const VisionStatePtr& state = shown();
     if (!state || !state->is_tracked()) return;
-    const render::View view = detached_ ? work_eye_.view() : camera_view(in_.width, in_.height);
+    const render::View view =
+        detached_ ? work_eye_.view() : camera_view(state.get(), in_.width, in_.height);
     const auto hit =
         pick_design(in_.design->model, *in_.design->surface, {}, view, gesture.x, gesture.y, slop);
     lit_part_ = hit && hit->part != lit_part_ ? hit->part : -1;
@@ -136,7 +142,7 @@ void Application::tap(const ui::Gesture& gesture) {
       pick_point(shown()->scan.points, scan_eye_.view(), gesture.x - layout_.scan_view.x,
                  gesture.y - layout_.scan_view.y, slop);
   if (!index) {
-    notice("Nothing measured there: tap on the steel.");
+    picks_.refuse_scan_point();
     return;
   }
   hold_picture();
@@ -151,6 +157,14 @@ void Application::start_align() {
   list_open_ = false;
 }
 
+std::vector<double> Application::landmark_evidence(std::span<const PointPair> pairs) const {
+  const VisionStatePtr& state = shown();
+  if (!state) return {};
+  PickScene scene{*in_.design, in_.camera, *state->frame, state->scan.points, std::nullopt};
+  if (state->quality != TrackQuality::kUnaligned) scene.T_design_camera = state->T_design_camera;
+  return measured_likelihood(scene, landmarks_.landmarks, pairs);
+}
+
 // Picks are made on one frame: the picture stands still, a recording waits, a camera is followed.
 void Application::hold_picture() {
   if (held_) return;
@@ -160,7 +174,6 @@ void Application::hold_picture() {
 }
 
 void Application::release_picture() {
-  picks_.clear();
   if (!held_) return;
   held_.reset();
   feed_->command({VisionCommand::Kind::kRelease, nullptr, Pose::Identity()});

@@ -44,13 +44,20 @@ nlohmann::json to_json(const render::View& view) {
 }
 }  // namespace
 
-render::View Application::camera_view(int width, int height) const {
+// From where the camera saw the design; of a state without a pose its own frame.
+render::View Application::camera_view(const VisionState* state, int width, int height) const {
   render::View view;
   view.camera = render::camera_in_picture(in_.camera, width, height);
-  if (const VisionStatePtr& state = shown(); state && state->is_tracked()) {
+  if (state != nullptr && state->is_tracked()) {
     view.T_camera_design = state->T_design_camera.inverse();
   }
   return view;
+}
+
+bool Application::shows_still() const {
+  const VisionStatePtr& state = shown();
+  return screen_ == ui::Screen::kWork && state && state->quality == TrackQuality::kLost &&
+         last_tracked_ && layout_.still.height >= 1;
 }
 
 std::vector<render::Marker> Application::design_markers() const {
@@ -117,6 +124,7 @@ void Application::fill_align(ui::ScreenState& out) const {
     if (chip.set && i < result.residual_m.size()) chip.residual_mm = 1e3 * result.residual_m[i];
     out.chips.push_back(chip);
   }
+  out.can_skip = picks_.can_skip() && !awaiting_alignment_;
   out.can_undo = picks_.can_undo() && !awaiting_alignment_;
   out.can_finish =
       result.status == PairsStatus::kOk && pairs.size() >= kChips && !awaiting_alignment_;
@@ -133,10 +141,16 @@ void Application::fill_align(ui::ScreenState& out) const {
         state_ && !state_->hint.empty() && state_->quality == TrackQuality::kUnaligned;
     out.hint = refused ? state_->hint : "Three points fit: press Done, or Undo to pick again.";
     out.hint_is_warning = refused;
+  } else if (picks_.is_refused()) {
+    const auto other = picks_.lit_after_skip();
+    out.hint = other && lit
+                   ? "No depth there: tap beside it, or press Other point for " + other->text + "."
+                   : "No depth there: tap beside it, or tap another point of the drawing.";
+    out.hint_is_warning = true;
   } else if (lit) {
     out.hint = fmt::format("Point {}: find {} and tap it in the camera picture.", pairs.size() + 1,
                            lit->text);
-    out.proposed = "Not in sight? Turn the drawing and tap another point of it instead.";
+    out.proposed = "Not to be seen there? Press Other point, or tap another one of the drawing.";
   } else {
     out.hint = "Tap a point of the drawing, then the same point in the camera picture.";
   }
@@ -148,6 +162,7 @@ void Application::fill_work(ui::ScreenState& out) const {
   const VisionStatePtr& state = shown();
   out.aligned = aligned_;
   out.measured = state && state->is_tracked();
+  out.still_shown = shows_still();
   out.detached = detached_ && out.measured;
   out.view_word = kViewWords[view_mode_];
   out.list_open = list_open_;
@@ -190,6 +205,10 @@ std::string Application::changed_targets() {
   json["height"] = in_.height;
   json["tracking"] = state_ ? name(state_->quality) : "none";
   json["picks"] = picks_.pairs().size();
+  if (still_of_) {
+    json["still"] = {{"frame", still_of_->frame->index}, {"rect", to_json(layout_.still)}};
+  }
+  json["hint"] = screen_state().hint;
   json["targets"] = nlohmann::json::object();
   for (const ui::Target& target : targets_.targets)
     json["targets"][target.name] = to_json(target.rect);

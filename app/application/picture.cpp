@@ -55,6 +55,35 @@ Status Picture::draw_background() {
   return scan_.draw(target_, view, nothing);
 }
 
+render::OverlayStyle Picture::style_of(const ScenePicture& scene) const {
+  render::OverlayStyle style;
+  style.neutral_m = scene.neutral_m;
+  style.show_cloud = scene.show_cloud;
+  style.show_design = scene.show_design && !scene.of_scan;
+  style.show_legend = scene.show_legend;
+  style.lit_part = scene.lit_part;
+  style.point_size_px = static_cast<float>(scene.point_px);
+  style.scale = dp_;
+  style.point_spacing_m = scene.point_spacing_m;
+  style.inset_top_px = scene.legend_top_px;
+  style.inset_bottom_px = std::max(0.0, target_.height() - scene.legend_bottom_px);
+  return style;
+}
+
+Status Picture::keep_still(const VisionState& state, const ScenePicture& scene) {
+  Result<render::Offscreen> made =
+      render::Offscreen::create(scene.view.camera.width, scene.view.camera.height);
+  if (!made) return made.error();
+  set_state(state);
+  overlay_.set_markers(scene.markers);
+  if (const Status status = overlay_.draw(*made, scene.view, style_of(scene)); !status) {
+    return status;
+  }
+  still_ = std::move(*made);
+  still_rect_ = scene.rect;
+  return {};
+}
+
 Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& panels) {
   const bool fills = scenes.size() == 1 && scenes.front().view.camera.width == target_.width() &&
                      scenes.front().view.camera.height == target_.height();
@@ -65,17 +94,7 @@ Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& 
   for (const ScenePicture& scene : scenes) {
     render::OverlayRenderer& renderer = scene.of_scan ? scan_ : overlay_;
     renderer.set_markers(scene.markers);
-    render::OverlayStyle style;
-    style.neutral_m = scene.neutral_m;
-    style.show_cloud = scene.show_cloud;
-    style.show_design = scene.show_design && !scene.of_scan;
-    style.show_legend = scene.show_legend;
-    style.lit_part = scene.lit_part;
-    style.point_size_px = static_cast<float>(scene.point_px);
-    style.scale = dp_;
-    style.point_spacing_m = scene.point_spacing_m;
-    style.inset_top_px = scene.legend_top_px;
-    style.inset_bottom_px = std::max(0.0, target_.height() - scene.legend_bottom_px);
+    const render::OverlayStyle style = style_of(scene);
     const int width = scene.view.camera.width;
     const int height = scene.view.camera.height;
     if (width == target_.width() && height == target_.height()) {
@@ -92,6 +111,9 @@ Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& 
     if (const Status status = renderer.draw(part, scene.view, style); !status) return status;
     part.copy_to(target_, static_cast<int>(std::lround(scene.rect.x)),
                  static_cast<int>(std::lround(scene.rect.y)));
+  }
+  if (still_.width() > 0) {
+    still_.copy_to(target_, static_cast<int>(still_rect_.x), static_cast<int>(still_rect_.y));
   }
   return panels_.draw(target_, panels);
 }

@@ -48,6 +48,10 @@ class Picture {
   // there.
   void set_state(const VisionState& state);
   [[nodiscard]] Status draw(const std::vector<ScenePicture>& scenes, const ImDrawData& panels);
+  // Draws a state once into a small picture of its own, which stands in draw() at `scene.rect`
+  // until drop_still().
+  [[nodiscard]] Status keep_still(const VisionState& state, const ScenePicture& scene);
+  void drop_still() { still_ = {}; }
   [[nodiscard]] const render::Offscreen& target() const { return target_; }
 
  private:
@@ -56,12 +60,15 @@ class Picture {
       : overlay_(std::move(overlay)), scan_(std::move(scan)), panels_(std::move(panels)), dp_(dp) {}
 
   [[nodiscard]] Status draw_background();
+  [[nodiscard]] render::OverlayStyle style_of(const ScenePicture& scene) const;
 
   render::OverlayRenderer overlay_;  // design and measured points, design frame
   render::OverlayRenderer scan_;     // points only, camera frame
   render::ImguiPass panels_;
   render::Offscreen target_;
   std::vector<render::Offscreen> parts_;  // pictures that do not fill the screen
+  render::Offscreen still_;               // empty: there is none
+  ui::Rect still_rect_;
   std::uint64_t shown_revision_ = 0;
   double dp_ = 1;
 };

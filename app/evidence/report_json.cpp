@@ -27,7 +27,15 @@ json matrix36(const Matrix6d& matrix) {
 }
 
 std::string_view declutter_name(DeclutterMethod method) {
-  return method == DeclutterMethod::kKnnRatio ? "knn-ratio" : "knn-closed-form";
+  switch (method) {
+    case DeclutterMethod::kThreeClasses:
+      return "three-classes";
+    case DeclutterMethod::kKnnRatio:
+      return "knn-ratio";
+    case DeclutterMethod::kKnnClosedForm:
+      break;
+  }
+  return "knn-closed-form";
 }
 
 json design_json(const DesignModel& model) {

@@ -4,12 +4,12 @@
 #include "app/runner/frame_processor.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "app/runner/surface_agreement.h"
+#include "vision/core/stage_clock.h"
 #include "vision/inspect/facing.h"
 #include "vision/scan/back_projection.h"
 #include "vision/scan/normals.h"
@@ -17,21 +17,6 @@
 namespace spool {
 
 namespace {
-
-// Times stages into a state's table.
-class StageClock {
- public:
-  explicit StageClock(std::map<std::string, double>& times) : times_(times) {}
-  void lap(const char* stage) {
-    const auto now = std::chrono::steady_clock::now();
-    times_[stage] += std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  std::map<std::string, double>& times_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // Every `stride`-th pixel of a frame, and the camera that sees it so.
 DepthFrame every_nth_pixel(const DepthFrame& frame, int stride) {
@@ -169,12 +154,12 @@ void FrameProcessor::Impl::track(VisionState& state, const Pose& guess, double r
               [&](const Eigen::Vector3f& point) { return box.contains(T_guess * point); });
   const IcpResult icp = refine_icp(near, *design->surface, guess,
                                    {.start_distance_m = reach_m, .noise_m = state.point_noise_m});
-  clock.lap("track");
+  clock.mark("track");
   // The gate of "seen": three standard deviations of a point, and what the fit leaves over.
   const double gate = 3.0 * state.point_noise_m + icp.rms_m;
   const SurfaceAgreement agreement = surface_agreement(
       design->samples, *design->surface, *state.frame, camera, icp.T_design_scan, gate);
-  clock.lap("agreement");
+  clock.mark("agreement");
   state.agreement = agreement.share();
   state.rms_m = icp.rms_m;
   const bool in_sight =
@@ -198,7 +183,7 @@ void FrameProcessor::Impl::track(VisionState& state, const Pose& guess, double r
                            "; look where a flange or an elbow is seen too.";
   }
   measure(state);
-  clock.lap("deviation");
+  clock.mark("deviation");
 }
 
 void FrameProcessor::Impl::measure(VisionState& state) const {
@@ -230,7 +215,7 @@ Result<VisionStatePtr> FrameProcessor::process(std::shared_ptr<const DepthFrame>
       back_project(every_nth_pixel(*frame, self.options.stride_px), small);
   if (!organised) return organised.error();
   auto state = self.thin(std::move(frame), std::move(*organised), small);
-  clock.lap("thin");
+  clock.mark("thin");
   state->timing_s = std::move(times);
   state->hint = self.alignment_hint;
 

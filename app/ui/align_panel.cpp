@@ -89,6 +89,11 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
       big_button(painter, "Done", layout.actions[0], {}, ButtonLook::kPrimary)) {
     commands.push_back({Action::kFinish});
   }
+  // In the place of Done: there is one or the other.
+  if (state.can_skip && !state.can_finish &&
+      big_button(painter, "Other", layout.actions[0], "point")) {
+    commands.push_back({Action::kSkip});
+  }
   if (state.can_undo && big_button(painter, "Undo", layout.actions[1])) {
     commands.push_back({Action::kUndo});
   }

@@ -26,7 +26,7 @@ void GestureRecogniser::move(const TouchEvent& event, std::vector<Gesture>& out)
   if (dx == 0 && dy == 0) return;
   if (fingers_.size() == 1) {
     if (!finger.dragged) {
-      if (std::hypot(event.x - finger.start_x, event.y - finger.start_y) <= slop_px_) return;
+      if (std::hypot(dx, dy) <= slop_px_) return;
       finger.dragged = true;  // the whole way so far counts: the picture stays under the finger
     }
     const bool pan = event.id == kRightButton;
@@ -64,14 +64,21 @@ void GestureRecogniser::move(const TouchEvent& event, std::vector<Gesture>& out)
   finger.y = event.y;
 }
 
+// Fingers never lift at one moment: the one that stays has to leave the slop again before it turns
+// what two have just put in place.
+void GestureRecogniser::lift(int id) {
+  fingers_.erase(id);
+  if (fingers_.size() == 1) fingers_.begin()->second.dragged = false;
+}
+
 std::vector<Gesture> GestureRecogniser::feed(const std::vector<TouchEvent>& events) {
   std::vector<Gesture> out;
   for (const TouchEvent& event : events) {
     switch (event.phase) {
       case TouchPhase::kDown:
-        fingers_[event.id] = {event.x, event.y, event.x, event.y, event.id == kRightButton};
+        fingers_[event.id] = {event.x, event.y, event.x, event.y, event.id == kRightButton, true};
         if (fingers_.size() > 1) {
-          for (auto& [id, finger] : fingers_) finger.dragged = true;
+          for (auto& [id, finger] : fingers_) finger.alone = false;
         }
         break;
       case TouchPhase::kMove:
@@ -82,8 +89,8 @@ std::vector<Gesture> GestureRecogniser::feed(const std::vector<TouchEvent>& even
         if (found == fingers_.end()) break;
         move(event, out);
         const Finger finger = found->second;
-        fingers_.erase(found);
-        if (!finger.dragged) {
+        lift(event.id);
+        if (!finger.dragged && finger.alone) {
           Gesture tap;
           tap.x = finger.start_x;  // where it came down: a glove rolls when it lifts
           tap.y = finger.start_y;
@@ -94,7 +101,7 @@ std::vector<Gesture> GestureRecogniser::feed(const std::vector<TouchEvent>& even
         break;
       }
       case TouchPhase::kCancel:
-        fingers_.erase(event.id);
+        lift(event.id);
         break;
       case TouchPhase::kWheel: {
         Gesture zoom;

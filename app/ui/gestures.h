@@ -37,9 +37,11 @@ class GestureRecogniser {
  private:
   struct Finger {
     double x = 0, y = 0, start_x = 0, start_y = 0;
-    bool dragged = false;  // left the slop, or was not alone: no tap any more
+    bool dragged = false;  // left the slop
+    bool alone = true;     // all the time that it was down: else it is no tap
   };
   void move(const TouchEvent& event, std::vector<Gesture>& out);
+  void lift(int id);
 
   double slop_px_;
   std::map<int, Finger> fingers_;  // down now

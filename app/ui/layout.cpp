@@ -17,6 +17,20 @@ constexpr double kCardWidthDp = 640;
 constexpr double kActionWidthDp = 96;
 constexpr double kLegendDp = 160;        // width of the deviation colours at the left edge
 constexpr double kLegendHeightDp = 330;  // it can be drawn lower but not read well
+constexpr double kStillDp = 180;         // height of the last good view
+constexpr double kStillShare = 0.3;      // or of the screen's, where that is less
+constexpr double kStillWordsDp = 32;
+
+// Above the card, where nothing else is while the spool is lost; in whole pixels.
+void place_still(Layout& out, double height_px, double dp) {
+  const double margin = kMarginDp * dp, words = std::floor(kStillWordsDp * dp);
+  const double top = out.strip.height + margin, bottom = std::floor(out.card.y - margin);
+  const double most = std::min(kStillDp * dp, kStillShare * height_px);
+  const double height = std::floor(std::clamp(bottom - top - words, 0.0, most));
+  const double width = std::floor(height * 4 / 3), x = std::floor(margin);
+  out.still = {x, bottom - words - height, width, height};
+  out.still_words = {x, bottom - words, width, words};
+}
 }  // namespace
 
 double pixels_per_dp(double dots_per_inch) {
@@ -39,6 +53,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
     }
     out.card = {margin, y - margin - kCardDp * dp, width_px - 2 * margin, kCardDp * dp};
     out.align_card = out.card;
+    place_still(out, height_px, dp);
     out.legend_bottom = out.card.y;
     const double half = std::floor(0.5 * (out.card.y - margin - top));
     out.design_view = {0, top, width_px, half};
@@ -63,6 +78,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
   const bool beside = card_y - top < kLegendHeightDp * dp;
   const double card_x = beside ? kLegendDp * dp : margin;
   out.card = {card_x, card_y, std::min(kCardWidthDp * dp, x - card_x - margin), kCardDp * dp};
+  place_still(out, height_px, dp);
   out.legend_bottom = beside ? height_px : card_y;
   out.align_card = {margin, out.card.y, x - 2 * margin, out.card.height};
   const double half = std::floor(0.5 * (x - margin));

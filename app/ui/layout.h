@@ -30,6 +30,8 @@ struct Layout {
   Rect strip;                // words along the top
   Rect actions[kActions];    // where the thumb is: right edge, or the bottom in portrait
   Rect card;                 // Work: the readout, bottom left
+  Rect still;                // Work, while the spool is lost: its last good view, 4:3
+  Rect still_words;          // under it
   double legend_bottom = 0;  // the legend at the left edge ends above this
   Rect align_card;           // Align: the chips and the hint, under the two pictures
   Rect work_view;            // the steel: everything

@@ -46,13 +46,15 @@ struct ScreenState {
 
   // Align
   std::vector<PairChip> chips;
-  std::string proposed;  // the design point that is lit, in words
+  std::string proposed;   // the design point that is lit, in words
+  bool can_skip = false;  // another design point in the place of the lit one
   bool can_undo = false;
   bool can_finish = false;   // three picks that make a pose
   bool can_go_back = false;  // an alignment stands already
 
   // Work
   bool aligned = false;
+  bool still_shown = false;     // the spool is lost, its last good view stands in layout.still
   bool measured = false;        // numbers below belong to the picture
   std::vector<PartLine> parts;  // worst first
   int lit_part = -1;
@@ -74,6 +76,7 @@ enum class Action {
   kView,
   kCameraView,
   kReplay,
+  kSkip,
   kUndo,
   kFinish,
   kBack,

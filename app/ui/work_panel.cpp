@@ -147,10 +147,33 @@ void draw_card(const ScreenState& state, const Painter& painter, std::vector<Com
   ImGui::End();
 }
 
+// A frame about the last good view and what to do with it; the view itself is drawn already.
+void draw_still(const Painter& painter) {
+  const auto dp = static_cast<float>(painter.theme.dp);
+  const Rect& still = painter.layout.still;
+  const Rect& words = painter.layout.still_words;
+  const auto corner = [](double x, double y) {
+    return ImVec2(static_cast<float>(x), static_cast<float>(y));
+  };
+  const ImVec2 low = corner(still.x, still.y);
+  const ImVec2 high = corner(words.x + words.width, words.y + words.height);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled(corner(words.x, words.y), high, kPanelColour);
+  list.AddRect(low, high, kSuspiciousColour, 0, 0, 2 * dp);
+  ImFont* font = painter.theme.body;
+  ImGui::PushFont(font);
+  const std::string text = fitted("Look at this again", static_cast<float>(words.width) - 16 * dp);
+  ImGui::PopFont();
+  const float y =
+      static_cast<float>(words.y) + 0.5F * (static_cast<float>(words.height) - font->FontSize);
+  list.AddText(font, font->FontSize, {low.x + 10 * dp, y}, kTextColour, text.c_str());
+}
+
 }  // namespace
 
 void draw_work(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
   const Layout& layout = painter.layout;
+  if (state.still_shown) draw_still(painter);
   if (state.list_open && state.measured) draw_list(state, painter, commands);
   draw_card(state, painter, commands);
   if (big_button(painter, "Align", layout.actions[0])) commands.push_back({Action::kAlign});

@@ -2,6 +2,7 @@
 // sampling.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -9,9 +10,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include "vision/core/parallel.h"
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
+#include "vision/inspect/deviation.h"
 
 namespace spool {
 namespace {
@@ -75,15 +76,10 @@ void deviation_of_300k_readings(benchmark::State& state) {
   const DesignModel design = ring_design();
   const Result<DesignSurface> surface = DesignSurface::build(design);
   const std::vector<Eigen::Vector3f> points = readings(state.range(0) != 0);
-  std::vector<float> deviation(points.size());
+  std::vector<PointClass> classes(points.size());
   for (auto _ : state) {
-    parallel_chunks(points.size(), 2048, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto found = surface->closest(points[i], 0.02F);
-        deviation[i] = found ? found->distance : std::nanf("");
-      }
-    });
-    benchmark::DoNotOptimize(deviation.data());
+    std::fill(classes.begin(), classes.end(), PointClass::kObject);
+    benchmark::DoNotOptimize(measure_deviations(CloudView(points), classes, *surface, 0.02F));
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));
 }
@@ -92,6 +88,7 @@ BENCHMARK(deviation_of_300k_readings)
     ->Arg(1)
     ->Arg(0)
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 void surface_over_100k_triangles(benchmark::State& state) {

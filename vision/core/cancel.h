@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 #include <string_view>
@@ -20,5 +22,18 @@ struct Watch {
     if (progress) progress(stage, fraction);
   }
 };
+
+// Calls `body(i)` for every i below `count`, in order, on this thread. False where it was cancelled
+// on the way. `body` may take a microsecond.
+template <class Body>
+bool watched_loop(std::size_t count, const Watch& watch, const Body& body) {
+  constexpr std::size_t kBetweenLooks = 16384;
+  for (std::size_t begin = 0; begin < count; begin += kBetweenLooks) {
+    if (watch.cancelled()) return false;
+    const std::size_t end = std::min(count, begin + kBetweenLooks);
+    for (std::size_t i = begin; i < end; ++i) body(i);
+  }
+  return true;
+}
 
 }  // namespace spool

@@ -18,7 +18,7 @@
 namespace spool {
 namespace {
 
-constexpr std::size_t kPatchPoints = 12000;  // a plane larger than the design shows in so many
+constexpr std::size_t kMostPatches = 60000;  // a hall many times the design's size: coarser
 constexpr int kTries = 150;
 constexpr float kCosine = 0.9F;  // a patch's normal to its plane's: 26 degrees
 
@@ -30,10 +30,11 @@ struct Patches {
 // The scan thinned to a size at which floor and walls are plain, with normals.
 Patches patches_of(std::span<const Eigen::Vector3f> points, double size_m, const Watch& watch) {
   Patches patches;
-  patches.cell =
-      static_cast<float>(std::max(voxel_size_for(CloudView(points), kPatchPoints), size_m / 60));
-  if (watch.cancelled()) return patches;
-  patches.points = thin_to_voxels(CloudView(points), patches.cell).points;
+  for (double cell = size_m / 40;; cell *= 2) {
+    patches.cell = static_cast<float>(cell);
+    patches.points = thin_to_voxels(CloudView(points), cell).points;
+    if (patches.points.size() <= kMostPatches || watch.cancelled()) break;
+  }
   patches.normals.assign(patches.points.size(), Eigen::Vector3f::Zero());
   const PointIndex index(patches.points);
   parallel_chunks(patches.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
@@ -120,6 +121,14 @@ std::vector<std::uint32_t> largest_piece(const Patches& patches,
   return best;
 }
 
+// Near the patches: within two cells, across holes that the scan left.
+Occupancy patch_of(const Patches& patches, const std::vector<std::uint32_t>& piece) {
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(piece.size());
+  for (const std::uint32_t i : piece) points.push_back(patches.points[i]);
+  return Occupancy(points, 2.5 * double{patches.cell});
+}
+
 // Longer than the design, by more than the patches' own size, and at least half as wide. Measured
 // from end to end: by its spread a frame's face would seem longer than it is.
 bool is_larger_than(const Patches& patches, const std::vector<std::uint32_t>& on, double size_m) {
@@ -174,6 +183,7 @@ std::vector<DominantPlane> dominant_planes(std::span<const Eigen::Vector3f> poin
     const bool is_large = is_larger_than(patches, piece, options.size_m);
     if (is_large) {
       planes.push_back(plane_through(patches, piece));
+      planes.back().patch = patch_of(patches, piece);
     } else {
       ++misses;  // the largest that was left; a few more may be longer, if sparser
     }
@@ -192,7 +202,7 @@ std::vector<Eigen::Vector3f> off_planes(std::span<const Eigen::Vector3f> points,
   std::vector<Eigen::Vector3f> off;
   for (const Eigen::Vector3f& point : points) {
     const bool is_on = std::any_of(planes.begin(), planes.end(), [&](const DominantPlane& plane) {
-      return std::abs(plane.distance(point)) <= band;
+      return plane.holds(point, band);
     });
     if (!is_on) off.push_back(point);
   }

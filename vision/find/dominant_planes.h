@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include <Eigen/Core>
 
 #include "vision/core/cancel.h"
+#include "vision/find/occupancy.h"
 
 namespace spool {
 
@@ -17,7 +19,12 @@ struct DominantPlane {
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  // unit; its sign means nothing
   float offset = 0;                                   // m; normal.dot(p) = offset on the plane
   std::size_t points = 0;                             // of those it was found in
+  Occupancy patch;                                    // where along the plane the scan lies on it
 
+  // Within `band` (m) of the plane, where the scan showed it: a table ends where it ends.
+  [[nodiscard]] bool holds(const Eigen::Vector3f& p, float band) const {
+    return std::abs(distance(p)) <= band && patch.is_near(p);
+  }
   [[nodiscard]] float distance(const Eigen::Vector3f& p) const { return normal.dot(p) - offset; }
 };
 

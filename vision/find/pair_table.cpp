@@ -11,6 +11,8 @@
 
 #include <Eigen/Geometry>
 
+#include "vision/core/parallel.h"
+
 namespace spool {
 namespace {
 
@@ -76,36 +78,24 @@ PairTable::PairTable(std::vector<Element> elements, double size_m)
       most_(static_cast<float>(size_m)),
       per_bin_(static_cast<float>(kDistanceBins) / (most_ - least_)) {
   assert(elements_.size() < 65536 && "elements are numbered in 16 bits");
-  // Twice over the same pairs: count each bin, then fill it.
-  std::vector<std::uint32_t> count(kBins, 0);
-  const auto each = [&](const auto& use) {
-    for (std::size_t i = 0; i < elements_.size(); ++i)
-      for (std::size_t j = 0; j < elements_.size(); ++j) {
-        if (i == j) continue;
-        const Element& a = elements_[i];
-        const Element& b = elements_[j];
-        const Eigen::Vector3f line = b.point - a.point;
-        const float distance = line.norm();
-        if (distance < least_ || distance > most_) continue;
-        const float along_a = a.direction.dot(line) / distance;
-        const float along_b = b.direction.dot(line) / distance;
-        for (const int flip_a : {0, 1}) {
-          const float cos_a = flip_a != 0 ? -along_a : along_a;
-          if (cos_a < -kEitherWay) continue;
-          for (const int flip_b : {0, 1}) {
-            const float cos_b = flip_b != 0 ? -along_b : along_b;
-            if (cos_b < -kEitherWay) continue;
-            const auto frame = frame_of(a.point, flip_a != 0 ? -a.direction : a.direction, b.point,
-                                        flip_b != 0 ? -b.direction : b.direction);
-            if (frame)
-              use(bin(*frame),
-                  Entry{static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j),
-                        static_cast<std::uint8_t>(flip_a), static_cast<std::uint8_t>(flip_b)});
-          }
-        }
-      }
+  // Every pair once, by its first element; then counted into bins in that order, so that the table
+  // is the same on any number of threads.
+  struct Placed {
+    std::uint32_t bin;
+    Entry entry;
   };
-  each([&](std::size_t at, const Entry&) { ++count[at]; });
+  std::vector<std::vector<Placed>> of_first(elements_.size());
+  parallel_chunks(elements_.size(), 8, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t j = 0; j < elements_.size(); ++j)
+        if (i != j)
+          each_way(i, j, [&](std::size_t bin, const Entry& entry) {
+            of_first[i].push_back({static_cast<std::uint32_t>(bin), entry});
+          });
+  });
+  std::vector<std::uint32_t> count(kBins, 0);
+  for (const auto& some : of_first)
+    for (const Placed& placed : some) ++count[placed.bin];
   first_.assign(kBins + 1, 0);
   for (std::size_t at = 0; at < kBins; ++at)
     first_[at + 1] =
@@ -113,11 +103,36 @@ PairTable::PairTable(std::vector<Element> elements, double size_m)
   entries_.resize(first_.back());
   // A full bin keeps every nth, evenly over the order of the elements.
   std::vector<std::uint32_t> met(kBins, 0), kept(kBins, 0);
-  each([&](std::size_t at, const Entry& entry) {
-    const std::uint64_t due = std::uint64_t{met[at]++} * (first_[at + 1] - first_[at]) / count[at];
-    if (due < kept[at] || kept[at] >= first_[at + 1] - first_[at]) return;
-    entries_[first_[at] + kept[at]++] = entry;
-  });
+  for (const auto& some : of_first)
+    for (const auto& [at, entry] : some) {
+      const std::uint32_t room = first_[at + 1] - first_[at];
+      const std::uint64_t due = std::uint64_t{met[at]++} * room / count[at];
+      if (due < kept[at] || kept[at] >= room) continue;
+      entries_[first_[at] + kept[at]++] = entry;
+    }
+}
+
+template <class Use>
+void PairTable::each_way(std::size_t i, std::size_t j, const Use& use) const {
+  const Element& a = elements_[i];
+  const Element& b = elements_[j];
+  const Eigen::Vector3f line = b.point - a.point;
+  const float distance = line.norm();
+  if (distance < least_ || distance > most_) return;
+  const float along_a = a.direction.dot(line) / distance;
+  const float along_b = b.direction.dot(line) / distance;
+  for (const int flip_a : {0, 1}) {
+    if ((flip_a != 0 ? -along_a : along_a) < -kEitherWay) continue;
+    for (const int flip_b : {0, 1}) {
+      if ((flip_b != 0 ? -along_b : along_b) < -kEitherWay) continue;
+      const auto frame = frame_of(a.point, flip_a != 0 ? -a.direction : a.direction, b.point,
+                                  flip_b != 0 ? -b.direction : b.direction);
+      if (frame)
+        use(bin(*frame),
+            Entry{static_cast<std::uint16_t>(i), static_cast<std::uint16_t>(j),
+                  static_cast<std::uint8_t>(flip_a), static_cast<std::uint8_t>(flip_b)});
+    }
+  }
 }
 
 std::size_t PairTable::count(const PairFrame& frame) const {

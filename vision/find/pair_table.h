@@ -55,6 +55,10 @@ class PairTable {
     std::uint8_t flip_a = 0, flip_b = 0;
   };
   [[nodiscard]] std::size_t bin(const PairFrame& frame) const;
+  // The pair's bins: where a direction lies nearly across the line, noise may turn its sign, and
+  // the pair stands under both.
+  template <class Use>
+  void each_way(std::size_t i, std::size_t j, const Use& use) const;
 
   std::vector<Element> elements_;
   float least_ = 0, most_ = 0, per_bin_ = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -19,11 +20,12 @@ int at_least_one(double k) { return static_cast<int>(std::max(1.0, std::round(st
 
 // No scan point is further from a model point than the corners of a box round both: the bound that
 // a k-d tree search needs, and that leaves no neighbour out.
-float farthest_distance(const CloudView& a, const CloudView& b) {
+float farthest_distance(const CloudView& a, const CloudView& b, const Watch& watch) {
   Eigen::AlignedBox3f box;
   for (const CloudView& cloud : {a, b})
-    for (const Eigen::Vector3f& p : cloud.points)
-      if (p.allFinite()) box.extend(p);
+    watched_loop(cloud.size(), watch, [&](std::size_t i) {
+      if (cloud.points[i].allFinite()) box.extend(cloud.points[i]);
+    });
   return box.isEmpty() ? 0.0F : 1.001F * box.diagonal().norm() + 1e-6F;
 }
 
@@ -44,11 +46,18 @@ int k_ratio(std::size_t scene_points, std::size_t model_points) {
 }
 
 DeclutterResult declutter_knn(const CloudView& scan, const CloudView& model_samples,
-                              const DeclutterOptions& options) {
+                              const DeclutterOptions& options, const Watch& watch) {
   DeclutterResult result;
   result.method = options.method;
   result.classes.assign(scan.size(), PointClass::kClutter);
-  const PointIndex index(scan.points);
+  // Stopped on the way, nothing is kept.
+  const auto stopped = [&] {
+    result.k = 0;
+    result.clutter = scan.size();
+    return std::move(result);
+  };
+  const PointIndex index(scan.points, watch);
+  if (watch.cancelled()) return stopped();
   if (options.k > 0)
     result.k = options.k;
   else if (options.method == DeclutterMethod::kKnnClosedForm)
@@ -56,19 +65,21 @@ DeclutterResult declutter_knn(const CloudView& scan, const CloudView& model_samp
   else
     result.k = k_ratio(index.size(), model_samples.size());
 
-  const float bound = farthest_distance(scan, model_samples);
+  const float bound = farthest_distance(scan, model_samples, watch);
   // Many model points keep the same scan point: all write the same value, so the order does not
   // matter.
   std::vector<std::atomic<std::uint8_t>> kept(scan.size());
   parallel_chunks(model_samples.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> neighbours;
     for (std::size_t i = begin; i < end; ++i) {
+      if (watch.cancelled()) return;  // with thousands of neighbours one search takes milliseconds
       if (!model_samples.points[i].allFinite()) continue;
       index.nearest_k(model_samples.points[i], static_cast<std::size_t>(result.k), bound,
                       neighbours);
       for (const Neighbour& n : neighbours) kept[n.index].store(1, std::memory_order_relaxed);
     }
   });
+  if (watch.cancelled()) return stopped();
   for (std::size_t i = 0; i < scan.size(); ++i) {
     if (kept[i].load(std::memory_order_relaxed) == 0) continue;
     result.classes[i] = PointClass::kObject;

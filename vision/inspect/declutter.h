@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "vision/core/cancel.h"
 #include "vision/core/cloud_view.h"
 
 namespace spool {
@@ -14,18 +15,19 @@ namespace spool {
 enum class PointClass : std::uint8_t { kClutter = 0, kObject = 1, kContradicting = 2 };
 
 enum class DeclutterMethod {
+  kThreeClasses,   // by distance, normal and connectedness (explanation.h)
   kKnnClosedForm,  // K by eq. 5.5 on standardised sizes
   kKnnRatio,       // K = S / M, rounded (appendix A)
 };
 
 struct DeclutterOptions {
-  DeclutterMethod method = DeclutterMethod::kKnnRatio;
+  DeclutterMethod method = DeclutterMethod::kThreeClasses;
   int k = 0;  // over 0: this K, whatever the method says
 };
 
 struct DeclutterResult {
-  DeclutterMethod method = DeclutterMethod::kKnnRatio;
-  int k = 0;
+  DeclutterMethod method = DeclutterMethod::kThreeClasses;
+  int k = 0;                        // of the thesis's methods
   std::vector<PointClass> classes;  // one a scan point
   std::size_t object = 0, clutter = 0, contradicting = 0;
 };
@@ -37,9 +39,10 @@ struct DeclutterResult {
 [[nodiscard]] int k_ratio(std::size_t scene_points, std::size_t model_points);
 
 // The union of the K nearest scan points of every model point, each once. Both clouds in
-// the design frame. Points that are not finite are clutter.
+// the design frame. Points that are not finite are clutter. Of a cancelled run nothing is kept.
 [[nodiscard]] DeclutterResult declutter_knn(const CloudView& scan, const CloudView& model_samples,
-                                            const DeclutterOptions& options = {});
+                                            const DeclutterOptions& options = {},
+                                            const Watch& watch = {});
 
 // The result where there is no pose: every point is clutter.
 [[nodiscard]] DeclutterResult nothing_kept(std::size_t scan_points,

@@ -10,6 +10,7 @@
 
 #include "vision/core/parallel.h"
 #include "vision/scan/point_index.h"
+#include "vision/scan/spatial_order.h"
 
 namespace spool {
 namespace {
@@ -36,24 +37,26 @@ double vouching_radius(const PointIndex& object, const std::vector<Eigen::Vector
 }
 
 void add_coverage(const CloudView& scan, const Deviations& deviations,
-                  const SurfaceSamples& samples, std::vector<PartDeviation>& parts) {
+                  const SurfaceSamples& samples, const Watch& watch,
+                  std::vector<PartDeviation>& parts) {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> place;
   float furthest = 0;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (deviations.part[i] < 0) continue;
+  watched_loop(scan.size(), watch, [&](std::size_t i) {
+    if (deviations.part[i] < 0) return;
     points.push_back(scan.points[i]);
     place.push_back(static_cast<std::uint32_t>(i));
     furthest = std::max(furthest, std::abs(deviations.distance_m[i]));
-  }
+  });
   if (points.empty()) return;
-  const PointIndex index(points);
+  const PointIndex index(points, watch);
   const double radius = vouching_radius(index, points, samples.radius_m);
   const auto reach = static_cast<float>(std::hypot(radius, double{furthest}));
   std::vector<std::uint8_t> seen(samples.part.size(), 0);
   parallel_chunks(samples.part.size(), 256, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> neighbours;
     for (std::size_t s = begin; s < end; ++s) {
+      if (watch.cancelled()) return;
       index.within(samples.cloud.points[s], reach, neighbours);
       for (const Neighbour& n : neighbours) {
         const std::size_t i = place[n.index];
@@ -79,23 +82,47 @@ void add_coverage(const CloudView& scan, const Deviations& deviations,
 
 }  // namespace
 
-Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass> classes,
-                              const DesignSurface& surface, float max_distance) {
-  assert(classes.size() == scan_design.size() && "a class for every point");
+Deviations no_deviations(std::size_t scan_points) {
   Deviations deviations;
-  deviations.distance_m.assign(scan_design.size(), std::numeric_limits<float>::quiet_NaN());
-  deviations.part.assign(scan_design.size(), -1);
-  parallel_chunks(scan_design.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (classes[i] == PointClass::kClutter) continue;
-      const Eigen::Vector3f& p = scan_design.points[i];
-      const auto hit = p.allFinite() ? surface.closest(p, max_distance) : std::nullopt;
+  deviations.distance_m.assign(scan_points, std::numeric_limits<float>::quiet_NaN());
+  deviations.part.assign(scan_points, -1);
+  deviations.normal.assign(scan_points, Eigen::Vector3f::Zero());
+  return deviations;
+}
+
+Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass> classes,
+                              const DesignSurface& surface, float max_distance,
+                              const Watch& watch) {
+  assert(classes.size() == scan_design.size() && "a class for every point");
+  Deviations deviations = no_deviations(scan_design.size());
+  std::vector<std::uint32_t> kept;
+  kept.reserve(scan_design.size());
+  const bool gathered = watched_loop(scan_design.size(), watch, [&](std::size_t i) {
+    if (classes[i] == PointClass::kClutter) return;
+    if (scan_design.points[i].allFinite())
+      kept.push_back(static_cast<std::uint32_t>(i));
+    else
+      classes[i] = PointClass::kClutter;
+  });
+  if (!gathered) {
+    std::fill(classes.begin(), classes.end(), PointClass::kClutter);
+    return deviations;
+  }
+  // Each answer is the same in any order; in this one a search finds its triangles in the cache.
+  put_in_spatial_order(scan_design.points, kept, watch);
+  parallel_chunks(kept.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    const bool stopped = watch.cancelled();
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::uint32_t i = kept[n];
+      const auto hit =
+          stopped ? std::nullopt : surface.closest(scan_design.points[i], max_distance);
       if (!hit) {
         classes[i] = PointClass::kClutter;
         continue;
       }
       deviations.distance_m[i] = hit->distance;
       deviations.part[i] = hit->part;
+      deviations.normal[i] = hit->normal;
     }
   });
   return deviations;
@@ -104,20 +131,21 @@ Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass
 std::vector<PartDeviation> summarise_parts(const DesignModel& design, const CloudView& scan_design,
                                            std::span<const PointClass> classes,
                                            const Deviations& deviations,
-                                           const SurfaceSamples& samples) {
+                                           const SurfaceSamples& samples, const Watch& watch) {
   assert(classes.size() == scan_design.size() && deviations.part.size() == scan_design.size() &&
          "parallel arrays");
   std::vector<PartDeviation> parts(design.parts.size());
   std::vector<std::vector<float>> sizes(parts.size());
-  for (std::size_t i = 0; i < scan_design.size(); ++i) {
-    if (classes[i] != PointClass::kObject || deviations.part[i] < 0) continue;
+  const bool gathered = watched_loop(scan_design.size(), watch, [&](std::size_t i) {
+    if (classes[i] != PointClass::kObject || deviations.part[i] < 0) return;
     const auto p = static_cast<std::size_t>(deviations.part[i]);
     const double d = deviations.distance_m[i];
     parts[p].points += 1;
     parts[p].mean_m += d;
     parts[p].rms_m += d * d;
     sizes[p].push_back(std::abs(deviations.distance_m[i]));
-  }
+  });
+  if (!gathered) return parts;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     if (parts[p].points == 0) continue;
     const auto n = static_cast<double>(parts[p].points);
@@ -129,7 +157,7 @@ std::vector<PartDeviation> summarise_parts(const DesignModel& design, const Clou
     std::nth_element(sizes[p].begin(), sizes[p].begin() + rank, sizes[p].end());
     parts[p].p95_abs_m = sizes[p][static_cast<std::size_t>(rank)];
   }
-  add_coverage(scan_design, deviations, samples, parts);
+  add_coverage(scan_design, deviations, samples, watch, parts);
   return parts;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "vision/core/cancel.h"
 #include "vision/core/cloud_view.h"
 #include "vision/design/design_model.h"
 #include "vision/design/design_surface.h"
@@ -19,13 +20,18 @@ namespace spool {
 struct Deviations {
   std::vector<float> distance_m;  // + outside the design's surface
   std::vector<std::int32_t> part;
+  std::vector<Eigen::Vector3f> normal;  // unit, outward, of the surface there
 };
 
+// What there is to say where there is no pose: no distance for any point.
+[[nodiscard]] Deviations no_deviations(std::size_t scan_points);
+
 // Points in the design frame; those further than `max_distance` (m) count as clutter: their class
-// is changed.
+// is changed. So do those that a cancelled run did not come to.
 [[nodiscard]] Deviations measure_deviations(const CloudView& scan_design,
                                             std::span<PointClass> classes,
-                                            const DesignSurface& surface, float max_distance);
+                                            const DesignSurface& surface, float max_distance,
+                                            const Watch& watch = {});
 
 // Point-to-surface statistics of one part. Scan quality and colour; never a verdict.
 struct PartDeviation {
@@ -34,11 +40,10 @@ struct PartDeviation {
   double coverage = 0;  // share of the part's surface samples with an object point near
 };
 
-[[nodiscard]] std::vector<PartDeviation> summarise_parts(const DesignModel& design,
-                                                         const CloudView& scan_design,
-                                                         std::span<const PointClass> classes,
-                                                         const Deviations& deviations,
-                                                         const SurfaceSamples& samples);
+// One a part, in the design's order. Of a cancelled run they mean nothing.
+[[nodiscard]] std::vector<PartDeviation> summarise_parts(
+    const DesignModel& design, const CloudView& scan_design, std::span<const PointClass> classes,
+    const Deviations& deviations, const SurfaceSamples& samples, const Watch& watch = {});
 
 // Root mean square of all finite distances (eq. 3.1), m. Scan quality only.
 [[nodiscard]] double rms(const Deviations& deviations);

@@ -13,6 +13,7 @@
 
 #include "vision/align/icp.h"
 #include "vision/core/pose.h"
+#include "vision/inspect/chain_pieces.h"
 #include "vision/inspect/declutter.h"
 #include "vision/inspect/deviation.h"
 
@@ -66,6 +67,7 @@ struct Inspection {
   PointCloud scan_design;  // every input point in input order, in the design frame (design origin
                            // taken off)
   Deviations deviations;   // one entry a point of scan_design
+  std::vector<Piece> pieces;       // of the spool that are there, but elsewhere
   std::vector<PartFinding> parts;  // in the design's order
   std::vector<Finding> findings;
   Verdict status = Verdict::kNotMeasured;

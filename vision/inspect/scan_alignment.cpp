@@ -268,14 +268,16 @@ Alignment align_scan(const AlignRequest& request, const Placement& placement,
       align_by_finding(placement, near, surface, options, watch, alignment);
       break;
   }
-  if (watch.cancelled()) {
-    alignment.found = false;
-    alignment.reason = "The inspection was stopped before it was done.";
-  }
+  if (watch.cancelled()) mark_stopped(alignment);
   alignment.T_design_scan = between_files(alignment.T_design_scan, design.origin, near.origin);
   for (Pose& other : alignment.alternatives)
     other = between_files(other, design.origin, near.origin);
   return alignment;
+}
+
+void mark_stopped(Alignment& alignment) {
+  alignment.found = false;
+  alignment.reason = "The inspection was stopped before it was done.";
 }
 
 Pose between_files(const Pose& T_design_scan, const Eigen::Vector3d& design_origin,

@@ -61,6 +61,9 @@ struct Placement {
                                    const DesignModel& design, const DesignSurface& surface,
                                    const SurfaceSamples& samples, const Watch& watch);
 
+// Says of the alignment of a cancelled run that nothing hangs on it.
+void mark_stopped(Alignment& alignment);
+
 // A pose between origin-free frames as one between the files' frames, and back.
 [[nodiscard]] Pose between_files(const Pose& T_design_scan, const Eigen::Vector3d& design_origin,
                                  const Eigen::Vector3d& scan_origin);

@@ -11,14 +11,30 @@
 namespace spool {
 namespace {
 
-// The finite points and their places in the input. nanoflann reads it through these four functions.
+// The finite points and their places in the input, as nanoflann's queries read them.
 struct FinitePoints {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> places;
 
-  [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
   [[nodiscard]] float kdtree_get_pt(std::size_t i, std::size_t axis) const {
     return points[i][static_cast<Eigen::Index>(axis)];
+  }
+};
+
+struct Cancelled {};
+
+// The same as they are read while the tree is built, which takes seconds over millions of points.
+// nanoflann knows no cancelling: what it reads from is the only place where it can be stopped, and
+// an exception, caught around the building, the only way out.
+struct WatchedPoints : FinitePoints {
+  const Watch* watch = nullptr;
+  mutable std::uint32_t reads = 0;
+
+  [[nodiscard]] std::size_t kdtree_get_point_count() const { return points.size(); }
+  [[nodiscard]] float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    constexpr std::uint32_t kBetweenLooks = 1U << 16U;
+    if (++reads % kBetweenLooks == 0 && watch->cancelled()) throw Cancelled{};
+    return FinitePoints::kdtree_get_pt(i, axis);
   }
   template <class Box>
   bool kdtree_get_bbox(Box& /*box*/) const {
@@ -27,7 +43,7 @@ struct FinitePoints {
 };
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, FinitePoints>,
-                                                 FinitePoints, 3, std::uint32_t>;
+                                                 WatchedPoints, 3, std::uint32_t>;
 
 // The three result sets: what nanoflann asks of one is worstDist() (squared, shrinking) and
 // addPoint(). Distances stay squared until the search is over.
@@ -84,9 +100,12 @@ struct Within {
 }  // namespace
 
 struct PointIndex::Impl {
-  FinitePoints cloud;
+  WatchedPoints cloud;
   std::unique_ptr<Tree> tree;  // empty without a point
   Eigen::AlignedBox3f box;
+
+  // False where it was cancelled.
+  [[nodiscard]] bool build(std::span<const Eigen::Vector3f> points, const Watch& watch);
 
   template <class Set>
   void search(Set& set, const Eigen::Vector3f& query) const {
@@ -106,31 +125,41 @@ PointIndex::PointIndex(PointIndex&&) noexcept = default;
 PointIndex& PointIndex::operator=(PointIndex&&) noexcept = default;
 PointIndex::~PointIndex() = default;
 
-PointIndex::PointIndex(std::span<const Eigen::Vector3f> points) : PointIndex() {
-  FinitePoints& cloud = impl_->cloud;
+PointIndex::PointIndex(std::span<const Eigen::Vector3f> points, const Watch& watch) : PointIndex() {
+  if (!impl_->build(points, watch)) impl_ = std::make_unique<Impl>();
+}
+
+bool PointIndex::Impl::build(std::span<const Eigen::Vector3f> points, const Watch& watch) {
   cloud.points.reserve(points.size());
   cloud.places.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].allFinite()) continue;
+  const bool copied = watched_loop(points.size(), watch, [&](std::size_t i) {
+    if (!points[i].allFinite()) return;
     cloud.points.push_back(points[i]);
     cloud.places.push_back(static_cast<std::uint32_t>(i));
-    impl_->box.extend(points[i]);
-  }
-  if (cloud.points.empty()) return;
+    box.extend(points[i]);
+  });
+  if (!copied) return false;
+  if (cloud.points.empty()) return true;
   constexpr std::size_t kLeafPoints = 10;  // fastest queries of those tried
-  impl_->tree =
-      std::make_unique<Tree>(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafPoints));
+  cloud.watch = &watch;
+  try {
+    tree = std::make_unique<Tree>(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafPoints));
+  } catch (const Cancelled&) {
+    return false;
+  }
+  cloud.watch = nullptr;
 
   // Points into the tree's own order: the ten of a leaf then lie side by side in memory.
   FinitePoints ordered;
   ordered.points.reserve(cloud.points.size());
   ordered.places.reserve(cloud.points.size());
-  for (const std::uint32_t i : impl_->tree->vAcc) {
-    ordered.points.push_back(cloud.points[i]);
-    ordered.places.push_back(cloud.places[i]);
-  }
-  cloud = std::move(ordered);  // the tree refers to `cloud`, not to its arrays
-  for (std::uint32_t i = 0; i < impl_->tree->vAcc.size(); ++i) impl_->tree->vAcc[i] = i;
+  const bool reordered = watched_loop(tree->vAcc.size(), watch, [&](std::size_t i) {
+    ordered.points.push_back(cloud.points[tree->vAcc[i]]);
+    ordered.places.push_back(cloud.places[tree->vAcc[i]]);
+    tree->vAcc[i] = static_cast<std::uint32_t>(i);
+  });
+  static_cast<FinitePoints&>(cloud) = std::move(ordered);  // the tree refers to `cloud` itself
+  return reordered;
 }
 
 std::size_t PointIndex::size() const { return impl_->cloud.points.size(); }

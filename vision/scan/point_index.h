@@ -11,6 +11,8 @@
 
 #include <Eigen/Core>
 
+#include "vision/core/cancel.h"
+
 namespace spool {
 
 struct Neighbour {
@@ -24,7 +26,8 @@ struct Neighbour {
 class PointIndex {
  public:
   PointIndex();
-  explicit PointIndex(std::span<const Eigen::Vector3f> points);
+  // Cancelled while it is built, it is empty.
+  explicit PointIndex(std::span<const Eigen::Vector3f> points, const Watch& watch = {});
   PointIndex(PointIndex&&) noexcept;
   PointIndex& operator=(PointIndex&&) noexcept;
   ~PointIndex();

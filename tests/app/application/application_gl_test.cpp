@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -28,6 +30,61 @@ std::size_t colours(const render::Image& image) {
     }
   }
   return seen.size();
+}
+
+// The mean colour of the square about (x, y) within the picture.
+Eigen::Vector3d mean_about(const render::Image& image, double x, double y, int radius) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int count = 0;
+  for (int v = static_cast<int>(y) - radius; v <= static_cast<int>(y) + radius; ++v) {
+    for (int u = static_cast<int>(x) - radius; u <= static_cast<int>(x) + radius; ++u) {
+      if (u < 0 || v < 0 || u >= image.width || v >= image.height) continue;
+      const std::uint8_t* p = image.pixel(u, v);
+      sum += Eigen::Vector3d(p[0], p[1], p[2]);
+      ++count;
+    }
+  }
+  return count > 0 ? Eigen::Vector3d(sum / count) : sum;
+}
+
+// How far a small picture is from a large one where both show the same camera's view (0 to 255);
+// `covered` is where panels stand over the large one. Means of a neighbourhood: the points of the
+// small picture have gaps.
+double difference(const render::Image& small, const render::Image& large,
+                  const std::vector<ui::Rect>& covered) {
+  const auto camera = [](const render::Image& image) {
+    return render::camera_in_picture(test::small_camera(), image.width, image.height);
+  };
+  const Camera from = camera(small), to = camera(large);
+  constexpr int kRadius = 2;
+  const int reach = static_cast<int>(std::lround(kRadius * to.fx / from.fx));
+  double sum = 0;
+  int count = 0;
+  for (int y = 0; y < small.height; y += kRadius) {
+    for (int x = 0; x < small.width; x += kRadius) {
+      const double u = (x - from.cx) / from.fx * to.fx + to.cx;
+      const double v = (y - from.cy) / from.fy * to.fy + to.cy;
+      if (std::any_of(covered.begin(), covered.end(),
+                      [&](const ui::Rect& rect) { return rect.contains(u, v); })) {
+        continue;
+      }
+      sum += (mean_about(small, x, y, kRadius) - mean_about(large, u, v, reach)).cwiseAbs().mean();
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+render::Image cut(const render::Image& image, const nlohmann::json& rect) {
+  render::Image out;
+  const auto r = rect.get<std::vector<int>>();
+  out.width = r[2];
+  out.height = r[3];
+  for (int y = 0; y < out.height; ++y) {
+    const std::uint8_t* row = image.pixel(r[0], r[1] + y);
+    out.rgba.insert(out.rgba.end(), row, row + 4 * static_cast<std::ptrdiff_t>(out.width));
+  }
+  return out;
 }
 
 // The pose of a frame in poses.csv, where its quality is `quality`.
@@ -117,6 +174,30 @@ TEST_F(Bench, ATapBesideTheSteelPicksNothing) {
   EXPECT_FALSE(screen_.contains("held_frame"));
 }
 
+TEST_F(Bench, ATapWithoutDepthIsRefusedAndAnotherPointIsOffered) {
+  start(standing_still(5), 480, 800);
+  const auto rect = screen_["scan_view"]["rect"].get<std::vector<double>>();
+  const std::string first = screen_["lit"]["text"];
+  tap_at({rect[0] + 6, rect[1] + 0.5 * rect[3]});
+  const std::string hint = screen_["hint"];
+  EXPECT_NE(hint.find("No depth there"), std::string::npos) << hint;
+  EXPECT_EQ(screen_["lit"]["text"], first);
+  const auto before = screen_["lit"]["position_m"];
+  press("Other");
+  EXPECT_NE(screen_["lit"]["position_m"], before);
+  const std::string offered = screen_["lit"]["text"];
+  EXPECT_NE(hint.find("Other point for " + offered), std::string::npos) << hint << offered;
+  EXPECT_EQ(screen_["picks"], 0);
+  EXPECT_EQ(std::string(screen_["hint"]).find("No depth"), std::string::npos);
+  // Undo of the only pick lets the picture go on; the skipped point stays away.
+  tap_at(three().at(0).scan);
+  EXPECT_EQ(screen_["picks"], 1);
+  press("Undo");
+  EXPECT_FALSE(screen_.contains("held_frame"));
+  EXPECT_NE(screen_["lit"]["position_m"], before);
+  EXPECT_TRUE(offers("Other"));
+}
+
 TEST_F(Bench, ADragTurnsThePictureAndPicksNothing) {
   start(standing_still(5));
   const auto pairs = three();
@@ -162,6 +243,55 @@ TEST_F(Bench, TheOverlayGoesWhenTheSpoolIsLost) {
   EXPECT_TRUE(offers("Align"));
   EXPECT_FALSE(pose_of(app_->poses().text(), "19", "good").has_value());
   EXPECT_TRUE(pose_of(app_->poses().text(), "19", "lost").has_value());
+}
+
+TEST_F(Bench, TheLastGoodViewStaysAsAStillWhileTheSpoolIsLost) {
+  // The camera moves aside, then sees the floor alone, then the spool again.
+  constexpr int kLastGood = 25, kEmpty = 4, kAgain = 12;
+  const auto walk = [](int frame) {
+    return test::T_design_camera(0, 0.004 * std::clamp(frame - 5, 0, kLastGood - 5));
+  };
+  std::vector<test::Step> steps;
+  for (int i = 0; i < kLastGood + kEmpty + kAgain; ++i) {
+    const bool empty = i > kLastGood && i <= kLastGood + kEmpty;
+    steps.push_back(
+        test::frame_step(empty ? test::empty_frame(walk(i), i)
+                               : test::render_frame(*test::prepared_bracket(), walk(i), i)));
+  }
+  start(std::move(steps));
+  EXPECT_FALSE(screen_.contains("still"));
+  pick_three();
+  press("Done");
+  ASSERT_EQ(screen_["tracking"], "good");
+  const render::Image early = app_->picture().target().read();
+  render::Image last;
+  while (screen_["tracking"] != "lost" && !app_->source_has_ended()) {
+    EXPECT_FALSE(screen_.contains("still")) << "the steel itself is to be seen";
+    last = app_->picture().target().read();
+    step();
+  }
+  ASSERT_EQ(screen_["tracking"], "lost");
+  ASSERT_TRUE(screen_.contains("still")) << screen_.dump();
+  EXPECT_EQ(screen_["still"]["frame"], kLastGood);
+  const nlohmann::json place = screen_["still"]["rect"];
+  const render::Image still = cut(app_->picture().target().read(), place);
+  EXPECT_GT(colours(still), 100U) << "cloud and drawing, coloured";
+  const ui::Layout layout = ui::lay_out(800, 480, 1);
+  std::vector<ui::Rect> covered(std::begin(layout.actions), std::end(layout.actions));
+  covered.insert(covered.end(), {layout.strip, layout.card, {0, 0, 160, 480}});
+  // The small picture's lines and points are coarser: alike, not equal.
+  const double to_last = difference(still, last, covered);
+  const double to_early = difference(still, early, covered);
+  EXPECT_LT(to_last, 0.5 * to_early) << to_last << " " << to_early;
+  step();
+  const auto again = cut(app_->picture().target().read(), place);
+  EXPECT_TRUE(again.rgba == still.rgba) << "it stands still";
+  play_to_the_end();
+  step();
+  EXPECT_EQ(screen_["tracking"], "good") << "found again from where it was last seen";
+  EXPECT_FALSE(screen_.contains("still"));
+  // A still without its frame and words would differ by 3.
+  EXPECT_GT(difference(still, cut(app_->picture().target().read(), place), {}), 5.0) << "gone";
 }
 
 TEST_F(Bench, DrawsTheSamePictureTwice) {

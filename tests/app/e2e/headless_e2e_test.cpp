@@ -14,6 +14,7 @@
 #include "tests/app/application/robot_fitter.h"
 #include "tests/app/e2e/bracket_files.h"
 #include "tests/app/e2e/running_program.h"
+#include "tests/app/e2e/sample_files.h"
 #include "tests/app/runner/simulated_scene.h"
 #include "tests/support/process.h"
 #include "tests/support/shared_data.h"
@@ -123,6 +124,7 @@ TEST(Headless, AScriptOfTapsAlignsTracksAndWritesEverything) {
       folder.path(), {"--design", files.design, "--design-unit", "m", "--source", files.recording},
       *files.prepared, test::small_camera(), *frame, truth, "800x480");
   ASSERT_EQ(run.result.code, 0) << run.result.err;
+  EXPECT_EQ(run.result.out, "") << "what is said goes to stderr";
   const auto rows = read_track(run.track);
   ASSERT_EQ(rows.size(), 12U) << "a row for every frame";
   // Frame 0 went by while the finger was down; the picture is held from frame 1 on.
@@ -199,45 +201,29 @@ TEST(Headless, TracksAHandHeldRecordingToItsTruth) {
 // writes that script anew, as after a change of the layout.
 TEST(Headless, TheSamplesTapsAlignItsRecording) {
   SPOOL_SKIP_WITHOUT_GL();
-  const std::filesystem::path sample = test::source_dir() / "assets" / "sample";
-  json truth;
-  std::ifstream(sample / "recording" / "truth.json") >> truth;
-  const auto pose = [](const json& numbers) {
-    return pose_from_row_major(numbers.get<std::vector<double>>()).value_or(Pose::Identity());
-  };
-  const auto T_design_camera = [&](std::size_t i) -> Pose {
-    return pose(truth["T_map_design"]).inverse() * pose(truth["frames"][i]["T_map_camera"]);
-  };
-  auto model = read_design(sample / "spool.glb");
-  ASSERT_TRUE(model.has_value());
-  auto design = PreparedDesign::prepare(std::move(*model));
-  ASSERT_TRUE(design.has_value());
+  const test::SampleFiles sample = test::read_sample();
+  ASSERT_TRUE(sample.prepared);
   const test::TemporaryFolder folder;
-  const std::vector<std::string> inputs{"--design", (sample / "spool.glb").string(), "--source",
-                                        (sample / "recording").string()};
+  const std::vector<std::string> inputs{"--design", sample.design, "--source", sample.recording};
   if (std::getenv("SPOOL_UPDATE_SAMPLE_TAPS") != nullptr) {
-    auto source = sensor::open_source((sample / "recording").string());
-    ASSERT_TRUE(source.has_value());
-    auto first = (*source)->next(std::chrono::milliseconds(1000));
-    ASSERT_TRUE(first.has_value() && first->frame);
-    static_cast<void>(align_by_taps(folder.path(), inputs, **design, (*source)->camera(),
-                                    *first->frame, T_design_camera(0), "1280x800"));
-    std::filesystem::copy_file(folder.path() / "taps.json", sample / "taps.json",
+    static_cast<void>(align_by_taps(folder.path(), inputs, *sample.prepared, sample.camera,
+                                    *sample.frames[0], sample.T_design_camera[0], "1280x800"));
+    std::filesystem::copy_file(folder.path() / "taps.json", sample.taps,
                                std::filesystem::copy_options::overwrite_existing);
   }
   const std::filesystem::path out = folder.path() / "sample", track = folder.path() / "sample.csv";
   std::vector<std::string> words = inputs;
-  words.insert(words.end(), {"--headless", "--script", (sample / "taps.json").string(), "--track",
-                             track.string(), "--out", out.string()});
+  words.insert(words.end(), {"--headless", "--script", sample.taps, "--track", track.string(),
+                             "--out", out.string()});
   const auto result = test::run(test::program("spoolsight"), words);
   ASSERT_EQ(result.code, 0) << result.err;
-  const Eigen::Vector3d centre = (*design)->model.bounds().center();
+  const Eigen::Vector3d centre = sample.prepared->model.bounds().center();
   const auto rows = read_track(track);
-  ASSERT_EQ(rows.size(), truth["frames"].size());
+  ASSERT_EQ(rows.size(), sample.frames.size());
   for (std::size_t i = 1; i < rows.size(); ++i) {
     ASSERT_NE(rows[i].quality, "lost") << i;
     // 2 mm noise, and a branch turned by 5 degrees that a best fit gives way to a little.
-    const Pose error = *rows[i].T * T_design_camera(i).inverse();
+    const Pose error = *rows[i].T * sample.T_design_camera[i].inverse();
     EXPECT_LT((error * centre - centre).norm(), 0.005) << i;
     EXPECT_LT(pose_size(error).rotation_rad, 0.03) << i;
   }

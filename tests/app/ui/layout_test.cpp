@@ -60,6 +60,23 @@ TEST(Layout, NothingOverlapsAndNothingLeavesTheScreen) {
   }
 }
 
+TEST(Layout, TheLastGoodViewCoversNothingAndIsLargeEnoughToBeKnown) {
+  for (const ScreenSize& size : sizes()) {
+    SCOPED_TRACE(size.name);
+    const double dp = pixels_per_dp(size.dots_per_inch);
+    const Layout layout = lay_out(size.width, size.height, dp);
+    for (const Rect& rect : {layout.still, layout.still_words}) {
+      EXPECT_GE(rect.x, 0);
+      EXPECT_FALSE(overlap(rect, layout.strip) || overlap(rect, layout.card));
+      for (const Rect& action : layout.actions) EXPECT_FALSE(overlap(rect, action));
+    }
+    EXPECT_FALSE(overlap(layout.still, layout.still_words));
+    EXPECT_NEAR(layout.still.width, layout.still.height * 4 / 3, 1) << "as depth cameras see";
+    EXPECT_GT(layout.still.height, 120 * dp);
+    EXPECT_LT(layout.still.width * layout.still.height, 0.2 * size.width * size.height) << "small";
+  }
+}
+
 TEST(Layout, PutsTheTwoPicturesBesideEachOtherOrAboveByTheScreensShape) {
   const Layout wide = lay_out(1280, 800, 1);
   EXPECT_EQ(wide.design_view.y, wide.scan_view.y);

@@ -4,11 +4,11 @@
 #include "vision/align/icp.h"
 
 #include <random>
-#include <thread>
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include "tests/support/cancelling.h"
 #include "tests/vision/align/synthetic_spool.h"
 
 namespace spool {
@@ -262,19 +262,13 @@ TEST(Icp, CancelEndsItWithinATenthOfASecond) {
     scan.points.insert(scan.points.end(), scan.points.begin(), scan.points.begin() + 20000);
     scan.normals.insert(scan.normals.end(), scan.normals.begin(), scan.normals.begin() + 20000);
   }
-  std::stop_source stop;
-  std::chrono::steady_clock::time_point asked;
-  std::thread other([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    asked = std::chrono::steady_clock::now();
-    stop.request_stop();
-  });
-  const IcpResult found = refine_icp(scan, surface, test::random_motion(0.02, 0.05, random), {},
-                                     {stop.get_token(), {}});
-  const auto ended = std::chrono::steady_clock::now();
-  other.join();
+  const Pose guess = test::random_motion(0.02, 0.05, random);
+  IcpResult found;
+  const auto obeyed_s = test::seconds_until_obeyed(
+      0.02, [&](const Watch& watch) { found = refine_icp(scan, surface, guess, {}, watch); });
   EXPECT_FALSE(found.converged);
-  EXPECT_LT(std::chrono::duration<double>(ended - asked).count(), 0.1);
+  ASSERT_TRUE(obeyed_s) << "it ended before it was told to";
+  EXPECT_LT(*obeyed_s, 0.1);  // what Watch promises
 }
 
 TEST(Icp, OptionsAreChecked) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/inspect/deviation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -68,6 +69,25 @@ TEST(Deviation, StaysWhenScanAndModelMoveTogether) {
   for (std::size_t i = 0; i < scan.size(); ++i)
     EXPECT_NEAR(a.distance_m[i], b.distance_m[i], 1e-5);  // a float 2 m off is good to 0.1 um, a
                                                           // facet's normal from such to 1e-5
+}
+
+TEST(Deviation, IsTheSameToTheLastBitInAnyOrderOfThePoints) {
+  const DesignModel design = test::design_of(test::tee_spool());
+  const DesignSurface surface = surface_over(design);
+  std::mt19937 random{5};
+  const PointCloud scan =
+      test::scan_of(test::tee_spool(), Pose::Identity(), {.points = 5000, .noise_m = 0.01}, random);
+  auto classes = all_object(scan.size());
+  const Deviations found = measure_deviations(scan, classes, surface, 0.02F);
+  EXPECT_GT(std::count(classes.begin(), classes.end(), PointClass::kClutter), 0);
+  for (std::size_t i = 0; i < scan.size(); ++i) {  // one by one
+    const auto hit = surface.closest(scan.points[i], 0.02F);
+    ASSERT_EQ(classes[i], hit ? PointClass::kObject : PointClass::kClutter);
+    ASSERT_EQ(found.part[i], hit ? hit->part : -1);
+    ASSERT_EQ(std::isnan(found.distance_m[i]), !hit);
+    if (!hit) continue;
+    ASSERT_EQ(found.distance_m[i], hit->distance);
+  }
 }
 
 TEST(Deviation, ClutterAndWhatIsTooFarHaveNone) {

@@ -1,0 +1,78 @@
+// Which of several designs lies in the scan, and what the scan says of it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/inspect_designs.h"
+
+#include <chrono>
+#include <optional>
+
+#include "vision/design/design_reader.h"
+
+namespace spool::tools {
+namespace {
+
+// Another design that explains this share of the best's points may be the one.
+constexpr double kNearly = 0.9;
+
+double explained(const InspectedDesign& design) {
+  return design.inspection.alignment.found ? static_cast<double>(design.inspection.declutter.object)
+                                           : -1.0;
+}
+
+Result<InspectedDesign> inspect_one(const std::string& path, const InspectOptions& options,
+                                    InspectorOptions settings, const PointCloud& scan,
+                                    const NoiseModel& noise, bool scan_unit_inferred,
+                                    const Watch& watch) {
+  const auto start = std::chrono::steady_clock::now();
+  auto model = read_design(path, parse_length_unit(options.design_unit));
+  if (!model) return model.error();
+  auto design = PreparedDesign::prepare(std::move(*model), options.seed,
+                                        settings.align == AlignMethod::kFind);
+  if (!design) return design.error();
+  InspectedDesign one{.design = *design};
+  one.read_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  settings.units_confirmed = !one.design->model.unit_inferred && !scan_unit_inferred;
+  auto inspection = Inspector(one.design).process(scan, noise, settings, watch);
+  if (!inspection) return inspection.error();
+  one.inspection = std::move(*inspection);
+  return one;
+}
+
+}  // namespace
+
+Result<InspectedDesign> inspect_designs(const InspectOptions& options,
+                                        const InspectorOptions& settings, const PointCloud& scan,
+                                        const NoiseModel& noise, bool scan_unit_inferred,
+                                        const Watch& watch) {
+  std::optional<InspectedDesign> best;
+  double read_s = 0, second = -1;
+  std::string second_path;
+  for (const std::string& path : options.designs) {
+    auto one = inspect_one(path, options, settings, scan, noise, scan_unit_inferred, watch);
+    if (!one) return one.error();
+    read_s += one->read_s;
+    if (best && explained(*one) <= explained(*best)) {
+      if (explained(*one) > second) {
+        second = explained(*one);
+        second_path = path;
+      }
+      continue;
+    }
+    if (best && explained(*best) > second) {
+      second = explained(*best);
+      second_path = best->design->model.path;
+    }
+    best = std::move(*one);
+  }
+  best->read_s = read_s;
+  if (options.designs.size() > 1 && explained(*best) > 0)
+    best->warnings.push_back("Of " + std::to_string(options.designs.size()) + " designs, " +
+                             best->design->model.path + " lies in the scan.");
+  if (second > kNearly * explained(*best) && second > 0)
+    best->warnings.push_back(second_path +
+                             " explains the scan nearly as well; look at the overlay before using "
+                             "the numbers.");
+  return std::move(*best);
+}
+
+}  // namespace spool::tools

@@ -1,0 +1,54 @@
+// Pieces of the spool that are there, but elsewhere than the design has them: a joint turned, a
+// pipe too long, branches exchanged.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vision/core/cancel.h"
+#include "vision/core/pose.h"
+#include "vision/design/design_model.h"
+#include "vision/design/sampling.h"
+
+namespace spool {
+
+// What is wrong at the joint that the piece hangs on.
+enum class PieceFault { kTurned, kTooLong, kTooShort, kExchanged };
+
+struct Piece {
+  int joint = -1;  // of the design: between what is right and the piece
+  int part = -1;   // that is to be named: the first of the piece, or the pipe of wrong length
+  std::vector<int> parts;  // of the piece
+  PieceFault fault = PieceFault::kTurned;
+  Pose motion = Pose::Identity();     // from where the design has the piece to where it is
+  double amount = 0;                  // rad turned, m too long or short
+  std::vector<std::uint32_t> points;  // of those given that lie on the moved piece, ascending
+};
+
+struct ChainOptions {
+  double noise_m = 0.003;  // m; standard deviation of a point
+  double size_m = 1;       // m; the design's diagonal
+};
+
+// The scan as the chain looks at it; m, design frame.
+struct ChainScan {
+  std::span<const Eigen::Vector3f> explained;    // points on the design…
+  std::span<const std::int32_t> explained_part;  // …and the part each lies on
+  std::span<const Eigen::Vector3f> left;         // what is neither that nor floor nor wall
+};
+
+// Takes the design's joints one by one and looks whether what hangs beyond, seen from the datum, is
+// where the design has it; if not, whether turned about the joint's axis, moved along it or hung
+// where another part should be it meets what is left. The kinematic chain of thesis 3.3.2 (Nahangi
+// & Haas 2014), searched instead of measured.
+[[nodiscard]] std::vector<Piece> chain_pieces(const DesignModel& design,
+                                              const SurfaceSamples& samples, const ChainScan& scan,
+                                              const ChainOptions& options, const Watch& watch = {});
+
+}  // namespace spool

@@ -1,0 +1,24 @@
+// What is wrong with the spool as a whole: parts elsewhere, of the wrong length, missing.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "vision/design/design_model.h"
+#include "vision/inspect/inspection.h"
+
+namespace spool {
+
+// A finding for every piece that is elsewhere (misplaced, wrong_size), and for every part of which
+// nothing shows although all round it does (missing). `parts`: as judged, in the design's order.
+[[nodiscard]] std::vector<Finding> spool_findings(const DesignModel& design,
+                                                  const std::vector<Piece>& pieces,
+                                                  const std::vector<PartFinding>& parts);
+
+// A part that the evidence shows in another place than the design's is not ok, whatever its
+// features; what hangs on it moved with it.
+void judge_pieces(const DesignModel& design, const std::vector<Piece>& pieces,
+                  std::vector<PartFinding>& parts);
+
+}  // namespace spool
