@@ -39,6 +39,18 @@ std::vector<double> along_joints(const Assembly& assembly, const std::vector<Pos
   return distance;
 }
 
+// A direction in the scan frame in which the object is long: what is cut off across it is an end of
+// the object and not one half of every pipe.
+Vector3d side_of(const Assembly& design, const Instance& instance, Random& random) {
+  const Vector3d size = bounds_of(design).sizes();
+  int thin = 0;
+  size.minCoeff(&thin);
+  const int axis = (thin + 1 + random.below(2)) % 3;
+  Vector3d direction = 0.2 * random.direction();
+  direction[axis] += random.chance(0.5) ? 1 : -1;
+  return instance.T_scan_design.linear() * direction.normalized();
+}
+
 }  // namespace
 
 double remove_pieces(const Scene& scene, double completeness, Random random,
@@ -57,7 +69,7 @@ double remove_pieces(const Scene& scene, double completeness, Random random,
       parts = along_joints(scene.as_built, instance.T_scan_part, end);
     }
     // A whole part after another, and within a part from its near end on: the order of going.
-    const Vector3d side = random.direction();
+    const Vector3d side = side_of(scene.design, instance, random);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].instance != object) continue;

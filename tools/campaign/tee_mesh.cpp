@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 constexpr int kAcross = kCircleSteps;  // steps of an end of the run
 constexpr int kAlong = 12;             // steps along the seam on the run's back
-constexpr int kRings = 16;             // loops between the opening and the run's rim
+constexpr int kRings = 24;             // loops between the opening and the run's rim
 
 // The border of the unrolled run, (z, angle round the run from the branch), clockwise about x seen
 // from where the branch looks to.
