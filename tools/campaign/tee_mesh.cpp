@@ -46,8 +46,7 @@ Ends add_shell(double run_radius, double branch_radius, double half_run, double 
     }
     return loop;
   };
-  // Closer at the opening, where the border's corners are far from round.
-  const auto share = [](int ring) { return std::pow(ring / static_cast<double>(kRings), 1.3); };
+  const auto share = [](int ring) { return ring / static_cast<double>(kRings); };
   for (int ring = 0; ring < kRings; ++ring) b.strip(loop_at(share(ring)), loop_at(share(ring + 1)));
   Ends ends;
   const Loop rim = loop_at(0);

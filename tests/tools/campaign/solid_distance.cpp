@@ -24,12 +24,15 @@ double rod(const Vector3d& p, double radius, double z0, double z1) {
 
 double endless(const Vector3d& p, double radius) { return std::hypot(p.x(), p.y()) - radius; }
 
-// Between two planes a cone's side is a straight line in (radius, height).
-double frustum(const Vector3d& p, double r0, double r1, double z0, double z1) {
+// A cone's side is a straight line in (radius, height).
+double cone_side(const Vector3d& p, double r0, double r1, double z0, double z1) {
   const double slant = std::hypot(r1 - r0, z1 - z0);
   const double radius_there = r0 + (r1 - r0) * (p.z() - z0) / (z1 - z0);
-  const double side = (std::hypot(p.x(), p.y()) - radius_there) * (z1 - z0) / slant;
-  return std::max({side, z0 - p.z(), p.z() - z1});
+  return (std::hypot(p.x(), p.y()) - radius_there) * (z1 - z0) / slant;
+}
+
+double frustum(const Vector3d& p, double r0, double r1, double z0, double z1) {
+  return std::max({cone_side(p, r0, r1, z0, z1), z0 - p.z(), p.z() - z1});
 }
 
 // First-order distance to an ellipsoid of revolution about z.
@@ -102,7 +105,7 @@ double solid_distance(const PartSpec& spec, const Vector3d& p) {
       const StandardSizes& b = sizes_of(spec.nps2);
       const double small = b.outside_diameter / 2;
       return std::max(frustum(p, outer, small, 0, s.reducer),
-                      -frustum(p, bore, small - b.wall, 0, s.reducer));
+                      -cone_side(p, bore, small - b.wall, 0, s.reducer));
     }
     case PartKind::kFlange:
       return flange(s, outer, bore, p);
