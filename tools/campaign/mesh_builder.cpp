@@ -43,7 +43,7 @@ void MeshBuilder::ring(const Loop& inner, const Loop& outer, const Vector3d& cen
                        const Vector3d& up) {
   const Vector3d x = up.unitOrthogonal();
   const Vector3d y = up.cross(x);
-  // Both loops as angles round the centre, merged: each step goes on along the loop that is behind.
+  // Both loops as angles round the centre, merged.
   const auto by_angle = [&](const Loop& loop) {
     std::vector<std::pair<double, Vector3d>> sorted;
     for (const Vector3d& p : loop)
@@ -56,8 +56,11 @@ void MeshBuilder::ring(const Loop& inner, const Loop& outer, const Vector3d& cen
   const auto in = by_angle(inner);
   const auto out = by_angle(outer);
   for (std::size_t i = 0, o = 0; i + 1 < in.size() || o + 1 < out.size();) {
-    const bool move_outer =
-        i + 1 == in.size() || (o + 1 < out.size() && out[o + 1].first <= in[i + 1].first);
+    // The edge whose middle comes first: corners far apart then reach half-way to each other only.
+    const bool inner_done = i + 1 == in.size();
+    const bool outer_done = o + 1 == out.size();
+    const bool move_outer = inner_done || (!outer_done && out[o].first + out[o + 1].first <=
+                                                              in[i].first + in[i + 1].first);
     if (move_outer) {
       triangle(in[i].second, out[o].second, out[o + 1].second);
       ++o;

@@ -70,7 +70,7 @@ struct Mesher {
   void operator()(const Torus& s) const {
     // Along the bend, where the radius is three times the tube's, finer steps than round it; less
     // so in the bore, which nobody measures.
-    const double step = inward ? 2 * kStep : 2 * kStep / 3;
+    const double step = inward ? kStep : 2 * kStep / 3;
     const int steps = std::max(1, static_cast<int>(std::ceil(s.angle_rad / step - 1e-9)));
     const auto loop_at = [&](double angle) {
       Loop loop = circle(s.tube, 0);

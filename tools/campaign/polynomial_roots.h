@@ -53,9 +53,9 @@ template <std::size_t Degree>
           else
             b = t;
           const double next = t - f / polynomial<Degree - 1>(slope, t);
-          const double moved = std::abs(next - t);
+          // Settled: the step may end on a bracket itself, so this comes before looking at them.
+          if (std::abs(next - t) < 1e-13) break;
           t = next > a && next < b ? next : 0.5 * (a + b);
-          if (moved < 1e-13) break;
         }
         roots.at[roots.count++] = t;
       }

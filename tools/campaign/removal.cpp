@@ -39,6 +39,17 @@ std::vector<double> along_joints(const Assembly& assembly, const std::vector<Pos
   return distance;
 }
 
+// A direction in the scan frame in which the object is long.
+Vector3d side_of(const Assembly& design, const Instance& instance, Random& random) {
+  const Vector3d size = bounds_of(design).sizes();
+  int thin = 0;
+  size.minCoeff(&thin);
+  const int axis = (thin + 1 + random.below(2)) % 3;
+  Vector3d direction = 0.2 * random.direction();
+  direction[axis] += random.chance(0.5) ? 1 : -1;
+  return instance.T_scan_design.linear() * direction.normalized();
+}
+
 }  // namespace
 
 double remove_pieces(const Scene& scene, double completeness, Random random,
@@ -50,19 +61,22 @@ double remove_pieces(const Scene& scene, double completeness, Random random,
   for (std::size_t object = 0; object < scene.objects.size(); ++object) {
     const Instance& instance = scene.objects[object];
     const bool branch = !ends.empty() && random.chance(0.5);
-    std::vector<double> parts(scene.as_built.members.size(), 0);
+    const Vector3d side = side_of(scene.design, instance, random);
+    std::vector<double> parts;
     if (branch) {
       const std::size_t end =
           ends[static_cast<std::size_t>(random.below(static_cast<int>(ends.size())))];
       parts = along_joints(scene.as_built, instance.T_scan_part, end);
     }
-    // A whole part after another, and within a part from its near end on: the order of going.
-    const Vector3d side = random.direction();
+    for (std::size_t i = parts.size(); i < scene.as_built.members.size(); ++i)
+      parts.push_back(
+          side.dot(instance.T_scan_part[i] * middle_of(scene.as_built.members[i].spec)));
+    // A whole part after another, and within the last from one side on: the order of going.
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (points[i].instance != object) continue;
       const double along = side.dot(points[i].point.cast<double>());
-      order.emplace_back(branch ? parts[points[i].label] + 1e-6 * along : along, i);
+      order.emplace_back(parts[points[i].label] + 1e-6 * along, i);
     }
     before += order.size();
     std::sort(order.begin(), order.end());

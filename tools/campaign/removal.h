@@ -10,8 +10,8 @@
 namespace spool::campaign {
 
 // Leaves the share `completeness` of each object's points and gives the share that came out. What
-// goes hangs together: from the end of a branch inwards along the pipes, or from one side of the
-// object; of a frame always a side.
+// goes hangs together: whole parts from the end of a branch inwards, or from one side of the object
+// (of a frame always so), and of the last part as much as it takes.
 double remove_pieces(const Scene& scene, double completeness, Random random,
                      std::vector<SensedPoint>& points);
 

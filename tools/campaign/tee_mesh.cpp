@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector3d;
 constexpr int kAcross = kCircleSteps;  // steps of an end of the run
 constexpr int kAlong = 12;             // steps along the seam on the run's back
-constexpr int kRings = 16;             // loops between the opening and the run's rim
+constexpr int kRings = 24;             // loops between the opening and the run's rim
 
 // The border of the unrolled run, (z, angle round the run from the branch), clockwise about x seen
 // from where the branch looks to.
@@ -46,8 +46,7 @@ Ends add_shell(double run_radius, double branch_radius, double half_run, double 
     }
     return loop;
   };
-  // Closer at the opening, where the border's corners are far from round.
-  const auto share = [](int ring) { return std::pow(ring / static_cast<double>(kRings), 1.3); };
+  const auto share = [](int ring) { return ring / static_cast<double>(kRings); };
   for (int ring = 0; ring < kRings; ++ring) b.strip(loop_at(share(ring)), loop_at(share(ring + 1)));
   Ends ends;
   const Loop rim = loop_at(0);
