@@ -21,14 +21,16 @@ class Divider {
 
   [[nodiscard]] bool wants_division(const OctreeBin& bin) const {
     if (bin.point_count == 0 || bin.depth >= options_.max_depth) return false;
+    const Eigen::AlignedBox3d box = extent(bin);
     Eigen::Index axis = 0;
-    const double longest = bin.bounds.sizes().maxCoeff(&axis);
-    if (!(longest > 0) || longest < options_.min_size_m) return false;
+    double longest = bin.bounds.sizes().maxCoeff(&axis);
     // Between neighbouring numbers there is no centre.
     const double centre = bin.bounds.center()[axis];
     if (centre <= bin.bounds.min()[axis] || centre >= bin.bounds.max()[axis]) return false;
+    if (options_.size_of_points) longest = box.sizes().maxCoeff();
+    if (longest < options_.min_size_m) return false;
     if (longest > options_.max_size_m) return true;
-    return bin.point_count > options_.bin_capacity && !extent(bin).sizes().isZero(0.0);
+    return bin.point_count > options_.bin_capacity && !box.sizes().isZero(0.0);
   }
 
   void divide(std::size_t number) {

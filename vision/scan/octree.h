@@ -26,12 +26,15 @@ enum class OctreeSplit {
 // unless it is too deep or its longest edge is under min_size_m. (Appendix B asks that of the
 // shortest edge, and could not divide a flat cloud.) What holds no point is never divided, nor is a
 // bin for its capacity whose points coincide.
+// Sizes are those of the bin, or with `size_of_points` those of the box of its points: weighted
+// splits cut slivers off, whose bins are long though what they hold is not.
 struct OctreeOptions {
   OctreeSplit split = OctreeSplit::kWeighted;
   std::size_t bin_capacity = 0;  // points; 0: a tenth of the finite points, rounded up
   int max_depth = std::numeric_limits<int>::max();                   // of any bin; the root's is 0
   double max_size_m = std::numeric_limits<double>::infinity();       // m
   double min_size_m = 1e3 * std::numeric_limits<double>::epsilon();  // m
+  bool size_of_points = false;
 };
 
 struct OctreeBin {

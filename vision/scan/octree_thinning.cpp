@@ -39,7 +39,8 @@ OctreeOptions even_leaves(double leaf_m, OctreeSplit split) {
   assert(leaf_m > 0 && "a leaf has a size");
   return {.split = split,
           .bin_capacity = std::numeric_limits<std::size_t>::max(),
-          .max_size_m = leaf_m};
+          .max_size_m = leaf_m,
+          .size_of_points = true};
 }
 
 }  // namespace spool

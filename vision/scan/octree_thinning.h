@@ -17,7 +17,8 @@ namespace spool {
 [[nodiscard]] PointCloud thin_by_octree(const CloudView& cloud, const OctreeOptions& options,
                                         const Watch& watch = {});
 
-// Leaves bounded by `leaf_m` (m, over 0) alone: the options of an even density.
+// Leaves whose points fill no more than a box of `leaf_m` (m, over 0), and no other bound: the
+// options of an even density.
 [[nodiscard]] OctreeOptions even_leaves(double leaf_m, OctreeSplit split = OctreeSplit::kWeighted);
 
 }  // namespace spool

@@ -50,6 +50,10 @@ std::vector<Case> cases() {
     all.push_back({style + ", no small bins",
                    even_points(400),
                    {.split = split, .bin_capacity = 1, .min_size_m = 0.4}});
+    all.push_back(
+        {style + ", by size of points",
+         even_points(300),
+         {.split = split, .bin_capacity = 1000, .max_size_m = 0.3, .size_of_points = true}});
     Points holes = even_points(200);
     holes[7].x() = NAN;
     holes[60].z() = INFINITY;
@@ -106,6 +110,13 @@ TEST(Octree, EveryPointIsInItsLeafAndNoneIsLostOrCountedTwice) {
   }
 }
 
+Eigen::AlignedBox3d box_of(const Octree& tree, const OctreeBin& bin, const Points& points) {
+  Eigen::AlignedBox3d box;
+  for (std::uint32_t i = 0; i < bin.point_count; ++i)
+    box.extend(points[tree.point_order()[bin.first_point + i]].cast<double>());
+  return box;
+}
+
 TEST(Octree, LeavesKeepToCapacityDepthAndSizes) {
   for (const Case& c : cases()) {
     SCOPED_TRACE(c.name);
@@ -114,13 +125,14 @@ TEST(Octree, LeavesKeepToCapacityDepthAndSizes) {
         c.options.bin_capacity > 0 ? c.options.bin_capacity : (finite(c.points) + 9) / 10;
     for (const OctreeBin& bin : tree.bins()) {
       EXPECT_LE(bin.depth, c.options.max_depth);
-      const double longest = bin.bounds.sizes().maxCoeff();
+      const Eigen::AlignedBox3d box = box_of(tree, bin, c.points);
+      const double longest = (c.options.size_of_points ? box : bin.bounds).sizes().maxCoeff();
       if (!bin.is_leaf()) {
         EXPECT_GE(longest, c.options.min_size_m);
         EXPECT_TRUE(bin.point_count > capacity || longest > c.options.max_size_m);
       } else if (bin.depth < c.options.max_depth && longest >= c.options.min_size_m &&
                  bin.point_count > 0) {
-        EXPECT_TRUE(bin.point_count <= capacity || bin.extent.sizes().isZero(0.0));
+        EXPECT_TRUE(bin.point_count <= capacity || box.sizes().isZero(0.0));
         EXPECT_LE(longest, c.options.max_size_m);
       }
     }
