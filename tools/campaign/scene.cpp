@@ -1,0 +1,160 @@
+// A scene to measure accuracy on: what stands where, then what the sensor makes of it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/campaign/scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/campaign/clutter.h"
+#include "tools/campaign/design_glb.h"
+#include "tools/campaign/laser.h"
+#include "tools/campaign/placement.h"
+#include "tools/campaign/removal.h"
+
+namespace spool::campaign {
+namespace {
+
+using Eigen::Vector3d;
+
+// Streams of the request's seed: what one purpose draws does not move another's numbers.
+enum Stream : std::uint64_t { kPlacing = 101, kStations, kFurnishing, kRemoving, kShuffling };
+
+struct Stage {
+  Room room;
+  std::vector<Eigen::AlignedBox3d> objects = {};
+  Eigen::AlignedBox3d object = {};  // round all of them
+};
+
+std::vector<Pose> moved(const Pose& T_scan_design, std::vector<Pose> poses) {
+  for (Pose& pose : poses) pose = T_scan_design * pose;
+  return poses;
+}
+
+Eigen::AlignedBox3d box_of(const Boxes& boxes, std::size_t first) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = first; i < boxes.size(); ++i) box.extend(boxes[i]);
+  return box;
+}
+
+// Where the design stands is drawn for the design as drawn, so that defects do not move the datum.
+Stage place_objects(const SceneRequest& request, Scene& scene) {
+  Stage stage;
+  Random random(request.seed, kPlacing);
+  const bool frame = request.kind == ObjectKind::kBoxFrame;
+  const bool small = request.kind == ObjectKind::kSmallSpool;
+  const int copies = std::max(request.copies, 1);
+  double edge = 0;  // of the copies before, along x
+  for (int copy = 0; copy < copies; ++copy) {
+    const double table = random.uniform(0.75, 0.95);
+    const double stands = random.chance(0.8) ? random.uniform(0.45, 0.8) : 0.02;
+    const double height = frame ? 0.001 : small ? table + 0.002 : stands;
+    Instance instance{laid_down(scene.design, height, frame, random)};
+    Room alone;
+    instance.T_scan_part = moved(instance.T_scan_design, poses_of(scene.as_built));
+    add_assembly(scene.as_built, instance.T_scan_part, 0, true, static_cast<std::uint8_t>(copy),
+                 alone);
+    // A copy stands beside the one before it, half a metre off.
+    const Eigen::AlignedBox3d lone = box_of(alone.taken, 0);
+    const Vector3d shift(copy == 0 ? 0 : edge + 0.5 - lone.min().x(), 0, 0);
+    edge = lone.max().x() + shift.x();
+    instance.T_scan_design.pretranslate(shift);
+    instance.T_scan_part = moved(instance.T_scan_design, poses_of(scene.as_built));
+    const std::size_t first = stage.room.placed.size();
+    const std::size_t first_taken = stage.room.taken.size();
+    add_assembly(scene.as_built, instance.T_scan_part, 0, true, static_cast<std::uint8_t>(copy),
+                 stage.room);
+    stage.objects.push_back(box_of(stage.room.taken, first_taken));
+    stage.object.extend(stage.objects.back());
+    const std::vector<Placed> object(stage.room.placed.begin() + static_cast<long>(first),
+                                     stage.room.placed.end());
+    if (small) {
+      const Vector3d half = stage.objects.back().sizes() / 2 + Vector3d::Constant(0.25);
+      add_table(stage.objects.back().center().head<2>(), half.head<2>(), table, 0, stage.room);
+    } else if (!frame && height > 0.1) {
+      add_stands(object, random, stage.room);
+    }
+    scene.objects.push_back(instance);
+  }
+  if (request.copies > 0) return stage;
+  // Where the object would have stood there is nothing; its place decides where the sensor looks.
+  scene.objects.clear();
+  std::erase_if(stage.room.placed, [](const Placed& each) { return each.instance != kNoInstance; });
+  return stage;
+}
+
+PointTargets targets_of(const SceneRequest& request) {
+  const double scene = request.density_ratio > 0
+                           ? request.density_ratio * static_cast<double>(kModelPoints)
+                           : static_cast<double>(request.scene_points);
+  if (request.copies == 0) return {0, static_cast<std::size_t>(std::lround(scene))};
+  // The ratios hold for what is left after the removal.
+  const double left = scene / (1 + request.clutter_ratio);
+  return {static_cast<std::size_t>(std::lround(left / request.completeness)),
+          static_cast<std::size_t>(std::lround(scene - left))};
+}
+
+void furnish(const SceneRequest& request, const std::vector<Vector3d>& stations, Stage& stage,
+             const Assembly& design) {
+  // At one spacing for all, clutter needs its ratio of the area that is seen of the object. A third
+  // of it is the floor's; the room is as large as the rest needs.
+  const bool absent = request.copies == 0;
+  const double object_area =
+      absent ? 2.0 : seen_object_area(RayWorld(stage.room.placed), stations, request.seed);
+  const double needed = std::clamp(absent ? 60.0 : request.clutter_ratio * object_area, 2.0, 600.0);
+  const double half = 0.5 * std::sqrt(0.6 * needed);
+  const Vector3d reach = stage.object.min().cwiseAbs().cwiseMax(stage.object.max().cwiseAbs());
+  stage.room.half_x = std::max({stage.room.half_x, half, reach.x() + 1.5});
+  stage.room.half_y = std::max({stage.room.half_y, half, reach.y() + 1.5});
+  add_floor_and_walls(stage.room);
+  std::vector<double> sizes;
+  for (const Member& member : design.members)
+    if (member.spec.kind == PartKind::kPipe) sizes.push_back(member.spec.nps);
+  if (sizes.empty()) sizes = {3, 4, 6};
+  Random random(request.seed, kFurnishing);
+  add_items(0.6 * needed, sizes, random, stage.room);
+}
+
+void shuffle(std::vector<SensedPoint>& points, Random random) {
+  for (std::size_t i = points.size(); i > 1; --i)
+    std::swap(points[i - 1], points[static_cast<std::size_t>(random.bits() % i)]);
+}
+
+}  // namespace
+
+Scene make_scene(const SceneRequest& request) {
+  Scene scene{request};
+  scene.design = design_of(request.kind, request.seed, request.braced);
+  scene.as_built = scene.design;
+  Stage stage = place_objects(request, scene);
+  Random random(request.seed, kStations);
+  scene.station_positions = stations_round(stage.object, request.stations, random, stage.room);
+  furnish(request, scene.station_positions, stage, scene.design);
+  const RayWorld world(std::move(stage.room.placed));
+  LaserSettings laser;
+  laser.noise_m = request.noise_m;
+  laser.station_error_m = request.station_error_m;
+  laser.stations = scene.station_positions;
+  std::vector<SensedPoint> points =
+      scan_with_laser(world, laser, targets_of(request), stage.object, request.seed);
+  scene.completeness =
+      remove_pieces(scene, request.completeness, Random(request.seed, kRemoving), points);
+  shuffle(points, Random(request.seed, kShuffling));
+  for (const SensedPoint& each : points) {
+    scene.cloud.points.push_back(each.point);
+    scene.labels.push_back(each.label);
+    scene.instances.push_back(each.instance);
+    scene.stations.push_back(each.station);
+    if (each.instance != kNoInstance) ++scene.object_points;
+  }
+  if (scene.object_points > 0)
+    scene.clutter_ratio = static_cast<double>(points.size() - scene.object_points) /
+                          static_cast<double>(scene.object_points);
+  return scene;
+}
+
+std::string Scene::glb() const { return design_glb(design); }
+
+TriangleMesh Scene::mesh() const { return design_mesh(design); }
+
+}  // namespace spool::campaign

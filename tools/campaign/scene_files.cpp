@@ -1,0 +1,125 @@
+// A scene as files: cloud.ply, sensor.json, design/model.glb and truth/.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/campaign/scene_files.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/common/json_file.h"
+#include "vision/core/file_io.h"
+#include "vision/scan/cloud_file.h"
+
+namespace spool::campaign {
+namespace {
+
+using nlohmann::json;
+
+json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+json rows(const Pose& pose) {
+  json matrix = json::array();
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::RowVector4d row = pose.matrix().row(i);
+    matrix.push_back({row[0], row[1], row[2], row[3]});
+  }
+  return matrix;
+}
+
+// A motion as its shift and rotation vector, and their lengths.
+json error_of(const Pose& motion) {
+  const Eigen::AngleAxisd turn(motion.linear());
+  const Eigen::Vector3d degrees = turn.angle() * 180 / EIGEN_PI * turn.axis();
+  const Eigen::Vector3d shift = 1000 * motion.translation();
+  return {{"t_mm", numbers(shift)},
+          {"r_deg", numbers(degrees)},
+          {"t_norm_mm", shift.norm()},
+          {"r_norm_deg", degrees.norm()}};
+}
+
+json components(const Scene& scene) {
+  const std::vector<Pose> design = poses_of(scene.design);
+  const std::vector<Pose> built = poses_of(scene.as_built);
+  json all = json::array();
+  for (std::size_t i = 0; i < scene.as_built.members.size(); ++i) {
+    const Member& member = scene.as_built.members[i];
+    json component = {{"label", i},
+                      {"name", member.spec.name},
+                      {"nps", member.spec.nps},
+                      {"missing", member.missing},
+                      {"extra", i >= design.size()},
+                      {"pose_asbuilt", rows(built[i])}};
+    if (i < design.size()) {
+      const double longer = member.spec.length_m - scene.design.members[i].spec.length_m;
+      component["pose_design"] = rows(design[i]);
+      component["error_root"] = error_of(design[i].inverse() * built[i]);
+      component["length_error_mm"] = 1000 * longer;
+    }
+    all.push_back(component);
+  }
+  return all;
+}
+
+json truth(const Scene& scene) {
+  json poses = json::array();
+  for (const Instance& instance : scene.objects) poses.push_back(rows(instance.T_scan_design));
+  json symmetries = json::array();
+  for (const Pose& pose : scene.symmetries) symmetries.push_back(rows(pose));
+  json all = {{"design", scene.design.name},
+              {"seed", scene.request.seed},
+              {"points", scene.cloud.size()},
+              {"object_points", scene.object_points},
+              {"clutter_ratio", scene.clutter_ratio},
+              {"completeness", scene.completeness},
+              {"poses", poses},
+              {"symmetries", symmetries},
+              {"defects", json::array()},
+              {"components", components(scene)},
+              {"labels",
+               {{"floor", kFloor},
+                {"wall", kWall},
+                {"table", kTable},
+                {"stand", kStand},
+                {"box", kBox},
+                {"cylinder", kCylinder},
+                {"other_pipe", kOtherPipe},
+                {"structure", kStructure},
+                {"mixed_pixel", kMixedPixel}}}};
+  if (!poses.empty()) all["pose"] = poses.front();
+  return all;
+}
+
+json sensor(const Scene& scene) {
+  json stations = json::array();
+  for (const Eigen::Vector3d& p : scene.station_positions) stations.push_back(numbers(p));
+  return {{"type", "laser_scanner"}, {"sigma_m", scene.request.noise_m}, {"stations", stations}};
+}
+
+Status write_json(const std::filesystem::path& path, const json& content) {
+  return write_file_whole(path, json_text(content));
+}
+
+}  // namespace
+
+Status write_scene(const Scene& scene, const std::filesystem::path& folder) {
+  for (const char* each : {"", "design", "truth"})
+    if (const Status made = make_folder(folder / each); !made) return made;
+  PlyColumn station{.name = "station", .type = PlyColumn::Type::kUchar};
+  station.uchars = scene.stations;
+  if (const Status s = write_ply(folder / "cloud.ply", scene.cloud, {station}); !s) return s;
+  if (const Status s = write_json(folder / "sensor.json", sensor(scene)); !s) return s;
+  if (const Status s = write_file_whole(folder / "design" / "model.glb", scene.glb()); !s) return s;
+  std::string labels;
+  for (const std::uint16_t label : scene.labels) {
+    labels.push_back(static_cast<char>(label & 0xFF));
+    labels.push_back(static_cast<char>(label >> 8));
+  }
+  if (const Status s = write_file_whole(folder / "truth" / "labels.bin", labels); !s) return s;
+  if (!scene.objects.empty()) {
+    const Pose T_design_scan = scene.objects.front().T_scan_design.inverse();
+    const json pose = {{"T_design_scan", row_major(T_design_scan)}};
+    if (const Status s = write_json(folder / "truth" / "pose.json", pose); !s) return s;
+  }
+  return write_json(folder / "truth" / "truth.json", truth(scene));
+}
+
+}  // namespace spool::campaign
