@@ -57,6 +57,25 @@ double diameter_of(const std::vector<Eigen::Vector3f>& points, const Watch& watc
   return watch.cancelled() ? 0 : std::sqrt(*std::max_element(largest.begin(), largest.end()));
 }
 
+// How far apart the samples are (m). A design cloud of too few points to thin says no radius: half
+// of its points then have another within this.
+double spacing_of(const SurfaceSamples& samples) {
+  if (samples.radius_m > 0 || samples.cloud.size() < 2) return samples.radius_m;
+  const PointIndex index(samples.cloud.points);
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : samples.cloud.points) box.extend(p);
+  std::vector<float> nearest;
+  std::vector<Neighbour> two;
+  for (const Eigen::Vector3f& p : samples.cloud.points) {
+    index.nearest_k(p, 2, box.diagonal().norm() * 1.001F + 1e-6F, two);
+    if (two.size() == 2) nearest.push_back(two[1].distance);
+  }
+  if (nearest.empty()) return 0;
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return *middle;
+}
+
 // Normals of the neighbours' planes, on the side of those the points have (if any), and the points
 // in an order that has nothing to do with their places, so that the first few of them stand for
 // all.
@@ -161,13 +180,13 @@ Result<PairModel> build_pair_model(const DesignModel& design, const PairLibraryO
   const auto cancelled = [] {
     return Error{ErrorCode::kInternal, "model library: cancelled; start it again"};
   };
-  const SurfaceSamples samples = sample_surface(design, options.model_samples, options.seed);
+  const SurfaceSamples samples = sample_surface(design, options.model_samples, options.seed, watch);
   if (watch.cancelled()) return cancelled();
   PairModel model;
   model.key = pair_model_key(design, options);
   model.diameter_m = diameter_of(samples.cloud.points, watch);
   if (watch.cancelled()) return cancelled();
-  model.leaf_m = options.leaf_over_spacing * samples.radius_m;
+  model.leaf_m = options.leaf_over_spacing * spacing_of(samples);
   if (samples.cloud.size() < 50 || !(model.leaf_m > 0) || !(model.diameter_m > 0))
     return Error{ErrorCode::kBadInput,
                  design.path + ": has too little surface to be found by; use a whole design"};

@@ -135,6 +135,20 @@ TEST(PairLibrary, IsTheSameTwiceAndItsKeyFollowsDesignAndOptions) {
   EXPECT_EQ(keys.size(), 9U);
 }
 
+TEST(PairLibrary, TakesADesignThatIsACloudOfFewPointsWithoutNormals) {
+  std::mt19937 random{1};
+  DesignModel cloud;
+  cloud.cloud = test::scan_of(tee_spool(), Pose::Identity(), {.points = 4000}, random);
+  cloud.cloud.normals.clear();
+  const auto model = build_pair_model(cloud);
+  ASSERT_TRUE(model) << model.error().message;
+  EXPECT_NEAR(model->diameter_m, 0.879, 0.02);
+  EXPECT_GT(model->pairs.size(), 1000U);
+  // Random points on 0.45 m2, 94 per square decimetre: half have another within 4.8 mm
+  // (sqrt(ln 2 / (pi 8900 / m2))), ten of them a leaf.
+  EXPECT_NEAR(model->leaf_m, 0.048, 0.008);
+}
+
 TEST(PairLibrary, RefusesOptionsDesignsAndCancelledWork) {
   const DesignModel tee = design_of(tee_spool());
   for (const PairLibraryOptions& options :
