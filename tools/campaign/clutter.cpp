@@ -73,14 +73,15 @@ Item assembled(const Assembly& assembly, const Pose& T_scan_design, std::uint16_
   return item;
 }
 
-// A length of pipe or a piece of somebody else's spool, lying on the floor or on a block.
-Item other_pipe(double nps, const Vector2d& place, Random& random) {
+// A length of pipe or a piece of somebody else's spool, lying on the ground or on a block.
+Item other_pipe(double nps, const Vector2d& place, const Ground& ground, Random& random) {
+  const double scale = ground.height > 0 ? 0.25 : 1;
   SpoolRouter r("other", nps);
   if (random.chance(0.4)) r.start_with_flange();
-  r.pipe(random.uniform(0.4, 1.6));
+  r.pipe(scale * random.uniform(0.4, 1.6));
   if (random.chance(0.6)) {
     r.elbow(random.chance(0.75) ? 90 : 45, random.uniform(0, kTurn));
-    r.pipe(random.uniform(0.2, 0.8));
+    r.pipe(scale * random.uniform(0.2, 0.8));
     if (random.chance(0.4)) r.flange();
   }
   // Upright now and then; else along the floor, rolled as it may lie.
@@ -90,9 +91,9 @@ Item other_pipe(double nps, const Vector2d& place, Random& random) {
   Item item = assembled(r.assembly(), lying, kOtherPipe);
   Eigen::AlignedBox3d box;
   for (const Placed& placed : item) box.extend(box_of(placed));
-  const double height = random.chance(0.5) ? 0 : random.uniform(0.1, 0.8);
+  const double height = scale < 1 || random.chance(0.5) ? 0 : random.uniform(0.1, 0.8);
   const Vector3d shift(place.x() - box.center().x(), place.y() - box.center().y(),
-                       height - box.min().z());
+                       ground.height + height - box.min().z());
   for (Placed& placed : item) placed.T_scan_patch.pretranslate(shift);
   if (height > 0) {
     const Vector3d half(0.08, 0.08, height / 2);
@@ -121,39 +122,51 @@ Item portal(const Pose& T_scan_item, Random& random) {
   return assembled(assembly, T_scan_item, kStructure);
 }
 
-Item random_item(const std::vector<double>& sizes, const Room& room, Random& random) {
+Item random_item(const std::vector<double>& sizes, const Ground& ground, Random& random) {
   // Nearer the middle is likelier: even in the distance, not in the area.
   const double share = random.uniform();
   const double angle = random.uniform(0, kTurn);
-  const Vector2d place(room.half_x * share * std::cos(angle),
-                       room.half_y * share * std::sin(angle));
-  const Pose T_scan_item = standing({place.x(), place.y(), 0}, random.uniform(0, kTurn));
-  const double kind = random.uniform();
+  const Vector2d place =
+      ground.middle + share * ground.half.cwiseProduct(Vector2d(std::cos(angle), std::sin(angle)));
+  const Pose T_scan_item =
+      standing({place.x(), place.y(), ground.height}, random.uniform(0, kTurn));
+  // What lies on a table is hand-sized, and neither a table nor a frame.
+  const bool small = ground.height > 0;
+  const double scale = small ? 0.25 : 1;
+  const double kind = random.uniform(0, small ? 0.87 : 1);
   if (kind < 0.40) {
     const Vector3d half(random.uniform(0.08, 0.5), random.uniform(0.08, 0.4),
                         random.uniform(0.05, 0.5));
     Item item;
-    add_patch(Block{half}, T_scan_item * Eigen::Translation3d(0, 0, half.z()), kBox, item);
+    add_patch(Block{scale * half}, T_scan_item * Eigen::Translation3d(0, 0, scale * half.z()), kBox,
+              item);
     return item;
   }
-  if (kind < 0.60) return drum(random.uniform(0.06, 0.3), random.uniform(0.3, 1.2), T_scan_item);
-  if (kind < 0.87 && !sizes.empty())
-    return other_pipe(sizes[static_cast<std::size_t>(random.below(static_cast<int>(sizes.size())))],
-                      place, random);
+  if (kind < 0.60)
+    return drum(scale * random.uniform(0.06, 0.3), scale * random.uniform(0.3, 1.2), T_scan_item);
+  if (kind < 0.87) {
+    const int size = random.below(static_cast<int>(sizes.size()));
+    return other_pipe(sizes[static_cast<std::size_t>(size)], place, ground, random);
+  }
   if (kind < 0.95)
     return table({random.uniform(0.4, 0.9), random.uniform(0.3, 0.45)}, random.uniform(0.7, 1.0),
                  T_scan_item);
   return portal(T_scan_item, random);
 }
 
-bool fits(const Item& item, const Room& room) {
+bool fits(const Item& item, const Ground& ground, const Room& room) {
+  const Vector2d low = ground.middle - ground.half;
+  const Vector2d high = ground.middle + ground.half;
   for (const Placed& placed : item) {
     const Eigen::AlignedBox3d box = box_of(placed);
-    if (box.min().z() < -0.001 || box.min().x() < -room.half_x || box.max().x() > room.half_x ||
-        box.min().y() < -room.half_y || box.max().y() > room.half_y)
+    if (box.min().z() < ground.height - 0.001 ||
+        (box.min().head<2>().array() < low.array()).any() ||
+        (box.max().head<2>().array() > high.array()).any())
       return false;
+    // Up to a table's top, and not into it.
     const Vector3d margin = Vector3d::Constant(kClear);
-    const Eigen::AlignedBox3d wide(box.min() - margin, box.max() + margin);
+    Eigen::AlignedBox3d wide(box.min() - margin, box.max() + margin);
+    wide.min().z() = std::max(wide.min().z(), ground.height + 1e-4);
     for (const Eigen::AlignedBox3d& taken : room.taken)
       if (wide.intersects(taken)) return false;
   }
@@ -215,15 +228,15 @@ void add_floor_and_walls(Room& room) {
   }
 }
 
-void add_table(const Vector2d& middle, const Vector2d& half, double height, double yaw_rad,
-               Room& room) {
-  put(table(half, height, standing({middle.x(), middle.y(), 0}, yaw_rad)), room);
+void add_table(const Ground& top, Room& room) {
+  put(table(top.half, top.height, standing({top.middle.x(), top.middle.y(), 0}, 0)), room);
 }
 
-void add_items(double area, const std::vector<double>& sizes, Random& random, Room& room) {
+void add_items(double area, const Ground& ground, const std::vector<double>& sizes, Random& random,
+               Room& room) {
   for (int failures = 0; area > 0 && failures < 400;) {
-    const Item item = random_item(sizes, room, random);
-    if (!fits(item, room)) {
+    const Item item = random_item(sizes, ground, random);
+    if (!fits(item, ground, room)) {
       ++failures;
       continue;
     }

@@ -31,12 +31,18 @@ void add_block(const Eigen::Vector3d& middle, const Eigen::Vector3d& half, doubl
 
 void add_floor_and_walls(Room& room);
 
-// A table whose top's upper side is at `height` (m); gives nothing back and takes its room.
-void add_table(const Eigen::Vector2d& middle, const Eigen::Vector2d& half, double height,
-               double yaw_rad, Room& room);
+// A level rectangle that things lie on.
+struct Ground {
+  Eigen::Vector2d middle = {0, 0}, half = {0, 0};  // m
+  double height = 0;                               // m; over 0: a table's top, for small things
+};
+
+// A table with that top.
+void add_table(const Ground& top, Room& room);
 
 // Items at random until about `area` (m2) of them could be seen or nothing more fits. `sizes` are
-// the pipe sizes that lie about; the nearer to the origin the likelier.
-void add_items(double area, const std::vector<double>& sizes, Random& random, Room& room);
+// the pipe sizes that lie about; the nearer to the middle the likelier.
+void add_items(double area, const Ground& ground, const std::vector<double>& sizes, Random& random,
+               Room& room);
 
 }  // namespace spool::campaign

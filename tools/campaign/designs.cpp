@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tools/campaign/random.h"
+#include "tools/campaign/random_spool.h"
 #include "tools/campaign/spool_router.h"
 
 namespace spool::campaign {
@@ -67,6 +68,44 @@ Assembly small_spool(std::uint32_t seed) {
   return r.assembly();
 }
 
+// About 2 x 1.5 m, after the assembly of thesis 5: a header with flanges and four branches, no two
+// alike.
+Assembly four_branch(std::uint32_t seed) {
+  Random random(seed, 14);
+  const auto about = [&](double length) { return length * random.uniform(0.93, 1.07); };
+  SpoolRouter r("four_branch", 4);
+  r.start_with_flange();
+  r.pipe(about(0.15));
+  const int tee_1 = r.tee(3, 0);
+  r.pipe(about(0.25));
+  const int tee_2 = r.tee(3, std::numbers::pi);
+  r.pipe(about(0.22));
+  const int tee_3 = r.tee(3, std::numbers::pi);
+  r.pipe(about(0.28));
+  const int tee_4 = r.tee(2, std::numbers::pi);
+  r.pipe(about(0.15));
+  r.flange();
+  r.branch(tee_1);
+  r.pipe(about(0.60));
+  r.flange();
+  r.branch(tee_2);
+  r.pipe(about(0.30));
+  r.elbow(90, about(kQuarter));
+  r.pipe(about(0.25));
+  r.flange();
+  r.branch(tee_3);
+  r.pipe(about(0.25));
+  r.elbow(45, -about(kQuarter));
+  r.pipe(about(0.30));
+  r.flange();
+  r.branch(tee_4);
+  r.pipe(about(0.45));
+  r.elbow(90, about(0.8));
+  r.pipe(about(0.12));
+  r.cap();
+  return r.assembly();
+}
+
 // 3.5 x 2 x 2 m of 100 mm square tube, after the box frame of thesis 4.4.
 Assembly box_frame(std::uint32_t seed, bool braced) {
   Random random(seed, 13);
@@ -115,9 +154,11 @@ Assembly design_of(ObjectKind kind, std::uint32_t seed, bool braced) {
       return small_spool(seed);
     case ObjectKind::kBoxFrame:
       return box_frame(seed, braced);
-    case ObjectKind::kPipeSpool3m:
     case ObjectKind::kFourBranch:
+      return four_branch(seed);
     case ObjectKind::kRandomSpool:
+      return random_spool(seed);
+    case ObjectKind::kPipeSpool3m:
       break;
   }
   return pipe_spool_3m(seed);

@@ -191,7 +191,11 @@ bool Scanner::collect(const Surfaces& surfaces, double crop, double area, std::s
         batch[i] = measure(surfaces, i, crop, spacing, random);
       }
     });
-    for (const auto& sensed : batch) {
+    // Not in the order of the patches: the target may be reached before the last of them.
+    constexpr std::size_t kStride = 40'503;  // odd, and so a permutation of a power of two
+    static_assert((kBatch & (kBatch - 1)) == 0);
+    for (std::size_t i = 0; i < kBatch; ++i) {
+      const auto& sensed = batch[i * kStride % kBatch];
       if (have >= target) break;
       if (!sensed || !spacing.has_room(sensed->point)) continue;
       spacing.add(sensed->point);

@@ -39,18 +39,6 @@ std::vector<double> along_joints(const Assembly& assembly, const std::vector<Pos
   return distance;
 }
 
-// The far ends of branches: parts that nothing hangs on.
-std::vector<std::size_t> ends_of(const Assembly& assembly) {
-  std::vector<std::size_t> ends;
-  for (std::size_t i = 1; i < assembly.members.size(); ++i) {
-    const auto hangs = [&](const Member& m) { return m.parent == static_cast<int>(i); };
-    const auto& members = assembly.members;
-    if (members[i].parent >= 0 && std::none_of(members.begin(), members.end(), hangs))
-      ends.push_back(i);
-  }
-  return ends;
-}
-
 }  // namespace
 
 double remove_pieces(const Scene& scene, double completeness, Random random,

@@ -8,9 +8,12 @@
 
 #include "tools/campaign/clutter.h"
 #include "tools/campaign/design_glb.h"
+#include "tools/campaign/handheld.h"
 #include "tools/campaign/laser.h"
 #include "tools/campaign/placement.h"
 #include "tools/campaign/removal.h"
+#include "tools/campaign/symmetry.h"
+#include "tools/campaign/thin_to.h"
 
 namespace spool::campaign {
 namespace {
@@ -18,12 +21,21 @@ namespace {
 using Eigen::Vector3d;
 
 // Streams of the request's seed: what one purpose draws does not move another's numbers.
-enum Stream : std::uint64_t { kPlacing = 101, kStations, kFurnishing, kRemoving, kShuffling };
+enum Stream : std::uint64_t {
+  kPlacing = 101,
+  kStations,
+  kFurnishing,
+  kRemoving,
+  kShuffling,
+  kDefects,
+  kThinning
+};
 
 struct Stage {
   Room room;
   std::vector<Eigen::AlignedBox3d> objects = {};
   Eigen::AlignedBox3d object = {};  // round all of them
+  std::vector<Ground> tables = {};  // that an object lies on
 };
 
 std::vector<Pose> moved(const Pose& T_scan_design, std::vector<Pose> poses) {
@@ -69,8 +81,11 @@ Stage place_objects(const SceneRequest& request, Scene& scene) {
     const std::vector<Placed> object(stage.room.placed.begin() + static_cast<long>(first),
                                      stage.room.placed.end());
     if (small) {
-      const Vector3d half = stage.objects.back().sizes() / 2 + Vector3d::Constant(0.25);
-      add_table(stage.objects.back().center().head<2>(), half.head<2>(), table, 0, stage.room);
+      const double margin = copies > 1 ? 0.2 : 0.45;
+      const Vector3d half = stage.objects.back().sizes() / 2 + Vector3d::Constant(margin);
+      const Ground top{stage.objects.back().center().head<2>(), half.head<2>(), table};
+      add_table(top, stage.room);
+      stage.tables.push_back(top);
     } else if (!frame && height > 0.1) {
       add_stands(object, random, stage.room);
     }
@@ -112,7 +127,31 @@ void furnish(const SceneRequest& request, const std::vector<Vector3d>& stations,
     if (member.spec.kind == PartKind::kPipe) sizes.push_back(member.spec.nps);
   if (sizes.empty()) sizes = {3, 4, 6};
   Random random(request.seed, kFurnishing);
-  add_items(0.6 * needed, sizes, random, stage.room);
+  // On a table a third of what there is to see lies beside the object.
+  double left = 0.6 * needed;
+  for (const Ground& top : stage.tables) {
+    add_items(left / 3, top, sizes, random, stage.room);
+    left *= 2.0 / 3;
+  }
+  const Ground floor{{0, 0}, {stage.room.half_x, stage.room.half_y}, 0};
+  add_items(left, floor, sizes, random, stage.room);
+}
+
+std::vector<SensedPoint> sense(const SceneRequest& request, const RayWorld& world,
+                               const Eigen::AlignedBox3d& object, Scene& scene) {
+  const PointTargets targets = targets_of(request);
+  if (request.sensor == SensorKind::kHandheld) {
+    HandheldSettings handheld;
+    handheld.frames = request.frames;
+    scene.T_scan_camera = walk_round(world, handheld, object, request.seed);
+    const auto points = scan_by_hand(world, handheld, scene.T_scan_camera, request.seed);
+    return thinned_to(points, targets, object, Random(request.seed, kThinning));
+  }
+  LaserSettings laser;
+  laser.noise_m = request.noise_m;
+  laser.station_error_m = request.station_error_m;
+  laser.stations = scene.station_positions;
+  return scan_with_laser(world, laser, targets, object, request.seed);
 }
 
 void shuffle(std::vector<SensedPoint>& points, Random random) {
@@ -125,18 +164,15 @@ void shuffle(std::vector<SensedPoint>& points, Random random) {
 Scene make_scene(const SceneRequest& request) {
   Scene scene{request};
   scene.design = design_of(request.kind, request.seed, request.braced);
-  scene.as_built = scene.design;
+  scene.as_built =
+      with_defects(scene.design, Random(request.seed, kDefects), scene.request.defects);
+  scene.symmetries = symmetries_of(scene.design);
   Stage stage = place_objects(request, scene);
   Random random(request.seed, kStations);
   scene.station_positions = stations_round(stage.object, request.stations, random, stage.room);
   furnish(request, scene.station_positions, stage, scene.design);
   const RayWorld world(std::move(stage.room.placed));
-  LaserSettings laser;
-  laser.noise_m = request.noise_m;
-  laser.station_error_m = request.station_error_m;
-  laser.stations = scene.station_positions;
-  std::vector<SensedPoint> points =
-      scan_with_laser(world, laser, targets_of(request), stage.object, request.seed);
+  std::vector<SensedPoint> points = sense(request, world, stage.object, scene);
   scene.completeness =
       remove_pieces(scene, request.completeness, Random(request.seed, kRemoving), points);
   shuffle(points, Random(request.seed, kShuffling));

@@ -33,6 +33,7 @@ struct SceneRequest {
   double noise_m = 0.003;           // laser: standard deviation along the ray
   int stations = 4;                 // laser
   double station_error_m = 0.0006;  // laser: each station's registration, one axis
+  int frames = 36;                  // handheld
 
   std::size_t scene_points = 80'000;
   double density_ratio = 0;   // over 0: scene_points is this times kModelPoints
@@ -49,7 +50,7 @@ struct Instance {
 };
 
 struct Scene {
-  SceneRequest request;
+  SceneRequest request;                      // its defects completed: which part, how much
   PointCloud cloud;                          // m, scan frame, z up, in no order
   std::vector<std::uint16_t> labels = {};    // member of `as_built`, or 1000 and up for clutter
   std::vector<std::uint8_t> instances = {};  // of each point, kNoInstance for clutter
@@ -58,7 +59,8 @@ struct Scene {
   Assembly design, as_built;  // as_built may hold more members behind the design's
   std::vector<Instance> objects = {};
   std::vector<Pose> symmetries = {};  // that map the design onto itself, the identity first
-  std::vector<Eigen::Vector3d> station_positions = {};  // m, scan frame
+  std::vector<Eigen::Vector3d> station_positions = {};  // m, scan frame; laser
+  std::vector<Pose> T_scan_camera = {};                 // of each frame; handheld
 
   std::size_t object_points = 0;
   double clutter_ratio = 0;  // as it came out; of an empty scene 0

@@ -59,6 +59,18 @@ json components(const Scene& scene) {
   return all;
 }
 
+json defects(const Scene& scene) {
+  json all = json::array();
+  for (const Defect& each : scene.request.defects) {
+    const bool millimetres = each.kind == DefectKind::kLong || each.kind == DefectKind::kOffset;
+    json defect = {{"type", name(each.kind)}, {"component", each.part}};
+    if (!each.other.empty()) defect["other"] = each.other;
+    if (each.amount != 0) defect[millimetres ? "mm" : "deg"] = each.amount;
+    all.push_back(defect);
+  }
+  return all;
+}
+
 json truth(const Scene& scene) {
   json poses = json::array();
   for (const Instance& instance : scene.objects) poses.push_back(rows(instance.T_scan_design));
@@ -72,7 +84,7 @@ json truth(const Scene& scene) {
               {"completeness", scene.completeness},
               {"poses", poses},
               {"symmetries", symmetries},
-              {"defects", json::array()},
+              {"defects", defects(scene)},
               {"components", components(scene)},
               {"labels",
                {{"floor", kFloor},
@@ -89,6 +101,8 @@ json truth(const Scene& scene) {
 }
 
 json sensor(const Scene& scene) {
+  if (scene.request.sensor == SensorKind::kHandheld)
+    return {{"type", "depth_camera"}, {"frames", scene.T_scan_camera.size()}};
   json stations = json::array();
   for (const Eigen::Vector3d& p : scene.station_positions) stations.push_back(numbers(p));
   return {{"type", "laser_scanner"}, {"sigma_m", scene.request.noise_m}, {"stations", stations}};
@@ -103,7 +117,8 @@ Status write_json(const std::filesystem::path& path, const json& content) {
 Status write_scene(const Scene& scene, const std::filesystem::path& folder) {
   for (const char* each : {"", "design", "truth"})
     if (const Status made = make_folder(folder / each); !made) return made;
-  PlyColumn station{.name = "station", .type = PlyColumn::Type::kUchar};
+  const bool handheld = scene.request.sensor == SensorKind::kHandheld;
+  PlyColumn station{.name = handheld ? "frame" : "station", .type = PlyColumn::Type::kUchar};
   station.uchars = scene.stations;
   if (const Status s = write_ply(folder / "cloud.ply", scene.cloud, {station}); !s) return s;
   if (const Status s = write_json(folder / "sensor.json", sensor(scene)); !s) return s;
@@ -118,6 +133,12 @@ Status write_scene(const Scene& scene, const std::filesystem::path& folder) {
     const Pose T_design_scan = scene.objects.front().T_scan_design.inverse();
     const json pose = {{"T_design_scan", row_major(T_design_scan)}};
     if (const Status s = write_json(folder / "truth" / "pose.json", pose); !s) return s;
+  }
+  if (handheld) {
+    json cameras = json::array();
+    for (std::size_t i = 0; i < scene.T_scan_camera.size(); ++i)
+      cameras.push_back({{"frame", i}, {"camera_to_world", rows(scene.T_scan_camera[i])}});
+    if (const Status s = write_json(folder / "truth" / "poses.json", cameras); !s) return s;
   }
   return write_json(folder / "truth" / "truth.json", truth(scene));
 }

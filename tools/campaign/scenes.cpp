@@ -1,8 +1,11 @@
 // spoolsight-scenes: scenes with their truth, for campaigns that measure accuracy.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <charconv>
 #include <map>
 #include <string>
+#include <system_error>
+#include <vector>
 
 #include <spdlog/spdlog.h>
 
@@ -11,10 +14,45 @@
 
 namespace {
 
-const std::map<std::string, spool::campaign::ObjectKind> kKinds = {
-    {"pipe_spool_3m", spool::campaign::ObjectKind::kPipeSpool3m},
-    {"small_spool", spool::campaign::ObjectKind::kSmallSpool},
-    {"box_frame", spool::campaign::ObjectKind::kBoxFrame}};
+using spool::campaign::DefectKind;
+using spool::campaign::ObjectKind;
+using spool::campaign::SensorKind;
+
+const std::map<std::string, ObjectKind> kKinds = {{"pipe_spool_3m", ObjectKind::kPipeSpool3m},
+                                                  {"small_spool", ObjectKind::kSmallSpool},
+                                                  {"box_frame", ObjectKind::kBoxFrame},
+                                                  {"four_branch", ObjectKind::kFourBranch},
+                                                  {"random_spool", ObjectKind::kRandomSpool}};
+
+const std::map<std::string, SensorKind> kSensors = {{"laser", SensorKind::kLaser},
+                                                    {"handheld", SensorKind::kHandheld}};
+
+// "turned", "turned:4" or "turned:4:elbow_2": the kind, how much of it, to which part.
+spool::Result<spool::campaign::Defect> parse_defect(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::size_t second = colon == std::string::npos ? colon : text.find(':', colon + 1);
+  spool::campaign::Defect defect;
+  bool known = false;
+  for (int i = 0; i <= static_cast<int>(DefectKind::kOffset); ++i) {
+    const auto kind = static_cast<DefectKind>(i);
+    if (text.substr(0, colon) != name(kind)) continue;
+    defect.kind = kind;
+    known = true;
+  }
+  if (colon != std::string::npos) {
+    const std::string amount = text.substr(colon + 1, second - colon - 1);
+    const auto [end, error] =
+        std::from_chars(amount.data(), amount.data() + amount.size(), defect.amount);
+    known = known && error == std::errc() && end == amount.data() + amount.size();
+  }
+  if (second != std::string::npos) defect.part = text.substr(second + 1);
+  if (!known)
+    return spool::Error{spool::ErrorCode::kUsage,
+                        "--defect " + text +
+                            ": give KIND[:AMOUNT[:PART]], KIND one of turned, "
+                            "long, swapped, missing, extra, tilted, clocked, offset"};
+  return defect;
+}
 
 }  // namespace
 
@@ -24,6 +62,7 @@ int main(int argc, char** argv) {
   spool::add_common_options(app, "spoolsight-scenes");
   spool::campaign::SceneRequest request;
   std::string out;
+  std::vector<std::string> defects;
   bool plain = false;
   bool absent = false;
   app.add_option("--kind", request.kind, "What stands there")
@@ -35,6 +74,11 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(0, 2));
   app.add_option("--noise-m", request.noise_m, "Noise along the ray, one standard deviation (m)")
       ->check(CLI::Range(0.0, 0.1))
+      ->capture_default_str();
+  app.add_option("--sensor", request.sensor, "Which sensor looks")
+      ->transform(CLI::CheckedTransformer(kSensors));
+  app.add_option("--frames", request.frames, "Frames of the hand-held sensor")
+      ->check(CLI::Range(1, 255))
       ->capture_default_str();
   app.add_option("--stations", request.stations, "Scanner stations")
       ->check(CLI::Range(1, 16))
@@ -52,12 +96,24 @@ int main(int argc, char** argv) {
                  "Share of the object's points that is left")
       ->check(CLI::Range(0.05, 1.0))
       ->capture_default_str();
+  app.add_option(
+      "--defect", defects,
+      "KIND[:AMOUNT[:PART]], any number: turned, tilted, clocked (degrees), long, offset "
+      "(millimetres), swapped, missing, extra");
   app.add_option("--out", out, "Folder for the scene")->required();
   return spool::run_program(app, argc, argv, [&]() -> spool::Result<int> {
     request.braced = !plain;
     if (absent) request.copies = 0;
+    for (const std::string& text : defects) {
+      const auto defect = parse_defect(text);
+      if (!defect) return defect.error();
+      request.defects.push_back(*defect);
+    }
     const spool::campaign::Scene scene = spool::campaign::make_scene(request);
     if (const spool::Status s = spool::campaign::write_scene(scene, out); !s) return s.error();
+    if (scene.request.defects.size() < defects.size())
+      spdlog::warn("this object has no part for {} of the defects asked for",
+                   defects.size() - scene.request.defects.size());
     spdlog::info("{} points, {} of them on the object", scene.cloud.size(), scene.object_points);
     return 0;
   });
