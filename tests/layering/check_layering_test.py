@@ -18,6 +18,7 @@ ROWS = [  # file, its text, what must be said (None: nothing)
     ("render/imgui_pass.cpp", '#include <imgui.h>\n', None),
     ("app/sensor/a.cpp", '#include <OpenNI.h>\n', "belongs only in"),
     ("app/sensor/openni_source.cpp", '#include <OpenNI.h>\n', None),
+    ("vision/find/a.h", '#include "vision/design/b.h"\n', None),
     ("app/ui/a.cpp", '#include <GLES3/gl3.h>\n', "belongs only in"),
     ("tools/a.cpp", '#include <GLFW/glfw3.h>\n', "belongs only in"),
     ("elsewhere/a.cpp", "\n", "lies in no folder"),

@@ -110,12 +110,12 @@ std::vector<Candidate> covering_pool(const TriangleMesh& mesh, double length,
 }
 
 // A throw at one radius: which of the pool were taken.
-std::vector<Candidate> thrown(const std::vector<Candidate>& pool, double radius,
-                              std::size_t expected, DartThrower* keep = nullptr) {
-  DartThrower own(radius, expected);
-  DartThrower& darts = keep != nullptr ? *keep : own;
+std::vector<Candidate> thrown(const std::vector<Candidate>& pool, DartThrower& darts,
+                              const Watch& watch) {
   std::vector<Candidate> taken;
+  std::size_t done = 0;
   for (const Candidate& each : pool) {
+    if (++done % 4096 == 0 && watch.cancelled()) break;
     if (darts.throw_dart(each.point)) taken.push_back(each);
   }
   return taken;
@@ -130,14 +130,14 @@ struct Throw {
 // square of the radius on a plane, faster where two sheets lie closer than it: hence steps, not a
 // formula.
 Throw seek(double radius, std::size_t count,
-           const std::function<std::vector<Candidate>(double)>& at) {
+           const std::function<std::vector<Candidate>(double)>& at, const Watch& watch) {
   Throw best;
   double low = 0;   // a radius that gave too many
   double high = 0;  // one that gave too few
   const auto miss = [count](const Throw& t) {
     return std::abs(static_cast<double>(t.taken.size()) / static_cast<double>(count) - 1);
   };
-  for (int round = 0; round < 24; ++round) {
+  for (int round = 0; round < 24 && !watch.cancelled(); ++round) {
     Throw now{at(radius), radius};
     const double ratio = static_cast<double>(now.taken.size()) / static_cast<double>(count);
     (ratio > 1 ? low : high) = radius;
@@ -150,7 +150,8 @@ Throw seek(double radius, std::size_t count,
   return best;
 }
 
-SurfaceSamples sample_mesh(const DesignModel& design, std::size_t count, std::mt19937& random) {
+SurfaceSamples sample_mesh(const DesignModel& design, std::size_t count, std::mt19937& random,
+                           const Watch& watch) {
   const TriangleMesh& mesh = design.mesh;
   std::vector<double> area_up_to(mesh.triangles.size());
   double total = 0;
@@ -164,19 +165,19 @@ SurfaceSamples sample_mesh(const DesignModel& design, std::size_t count, std::mt
   const double start =
       std::sqrt(4 * kSaturation * total / (std::numbers::pi * static_cast<double>(count)));
   const std::uint32_t gap_seed = static_cast<std::uint32_t>(random());
-  const Throw best = seek(start, count, [&](double radius) {
+  const auto at = [&](double radius) {
     DartThrower darts(radius, 2 * count);
-    std::vector<Candidate> taken = thrown(pool, radius, 2 * count, &darts);
+    std::vector<Candidate> taken = thrown(pool, darts, watch);
     // Then the gaps that chance left. A refused candidate has a sample within the radius, and every
     // place of the surface has a candidate within the radius: together, within two.
     std::mt19937 gap_random(gap_seed);
     std::vector<Candidate> gaps = covering_pool(mesh, radius, gap_random);
     shuffle(gaps, gap_random);
-    for (const Candidate& each : gaps) {
-      if (darts.throw_dart(each.point)) taken.push_back(each);
-    }
+    const std::vector<Candidate> filling = thrown(gaps, darts, watch);
+    taken.insert(taken.end(), filling.begin(), filling.end());
     return taken;
-  });
+  };
+  const Throw best = seek(start, count, at, watch);
   samples.radius_m = best.radius;
   for (const Candidate& each : best.taken) {
     const Corners p = corners_of(mesh, each.element);
@@ -187,7 +188,8 @@ SurfaceSamples sample_mesh(const DesignModel& design, std::size_t count, std::mt
   return samples;
 }
 
-SurfaceSamples sample_points(const DesignModel& design, std::size_t count, std::mt19937& random) {
+SurfaceSamples sample_points(const DesignModel& design, std::size_t count, std::mt19937& random,
+                             const Watch& watch) {
   const PointCloud& cloud = design.cloud;
   std::vector<Candidate> pool;
   for (std::uint32_t i = 0; i < cloud.points.size(); ++i) {
@@ -199,8 +201,11 @@ SurfaceSamples sample_points(const DesignModel& design, std::size_t count, std::
   Throw best{pool, 0};  // all of them where there are no more than asked for
   if (pool.size() > count) {
     const double size = std::max(design.bounds().sizes().norm(), 1e-6);
-    best = seek(size / std::sqrt(static_cast<double>(count)), count,
-                [&](double radius) { return thrown(pool, radius, 2 * count); });
+    const auto at = [&](double radius) {
+      DartThrower darts(radius, 2 * count);
+      return thrown(pool, darts, watch);
+    };
+    best = seek(size / std::sqrt(static_cast<double>(count)), count, at, watch);
   }
   samples.radius_m = best.radius;
   for (const Candidate& each : best.taken) {
@@ -213,11 +218,12 @@ SurfaceSamples sample_points(const DesignModel& design, std::size_t count, std::
 
 }  // namespace
 
-SurfaceSamples sample_surface(const DesignModel& design, std::size_t count, std::uint32_t seed) {
+SurfaceSamples sample_surface(const DesignModel& design, std::size_t count, std::uint32_t seed,
+                              const Watch& watch) {
   if (count == 0) return {};
   std::mt19937 random(seed);
-  SurfaceSamples samples =
-      design.is_cloud() ? sample_points(design, count, random) : sample_mesh(design, count, random);
+  SurfaceSamples samples = design.is_cloud() ? sample_points(design, count, random, watch)
+                                             : sample_mesh(design, count, random, watch);
   samples.cloud.origin = design.origin;
   return samples;
 }

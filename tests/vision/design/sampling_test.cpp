@@ -132,5 +132,11 @@ TEST(Sampling, OfNothingIsNothing) {
   EXPECT_TRUE(sample_surface(mixed_design(), 0).cloud.empty());
 }
 
+TEST(Sampling, CancelledEndsEarly) {
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_TRUE(sample_surface(mixed_design(), 5000, 1, {stop.get_token(), {}}).cloud.empty());
+}
+
 }  // namespace
 }  // namespace spool::test
