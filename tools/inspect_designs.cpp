@@ -19,6 +19,14 @@ double explained(const InspectedDesign& design) {
                                            : -1.0;
 }
 
+std::vector<int> parts_named(const std::vector<std::string>& names, const DesignModel& model) {
+  std::vector<int> parts;
+  for (const std::string& name : names)
+    for (std::size_t p = 0; p < model.parts.size(); ++p)
+      if (model.parts[p].name == name) parts.push_back(static_cast<int>(p));
+  return parts;
+}
+
 Result<InspectedDesign> inspect_one(const std::string& path, const InspectOptions& options,
                                     InspectorOptions settings, const PointCloud& scan,
                                     const NoiseModel& noise, bool scan_unit_inferred,
@@ -26,6 +34,12 @@ Result<InspectedDesign> inspect_one(const std::string& path, const InspectOption
   const auto start = std::chrono::steady_clock::now();
   auto model = read_design(path, parse_length_unit(options.design_unit));
   if (!model) return model.error();
+  // The datum is asked for before the work starts; of several designs, one without it is not meant.
+  if (!options.datum.empty()) {
+    const auto names = datum_parts(options.datum, *model);
+    if (!names && options.designs.size() == 1) return names.error();
+    if (names) model->datums = parts_named(*names, *model);
+  }
   auto design = PreparedDesign::prepare(std::move(*model), options.seed,
                                         settings.align == AlignMethod::kFind);
   if (!design) return design.error();

@@ -92,7 +92,8 @@ TEST_P(LaserScenes, GiveTheScannersNoiseAtTheTruePose) {
   auto arguments = words(scene, scene / "cloud.ply");
   arguments.insert(arguments.end(), {"--pose", (folder.path() / "pose.json").string()});
   const auto run = test::run_inspect(arguments, folder.path() / "out");
-  EXPECT_EQ(run.process.code, 2) << run.process.err;
+  // A turned elbow is not ok whatever its features; else nothing is judged yet.
+  EXPECT_EQ(run.process.code, truth["defects"].empty() ? 2 : 1) << run.process.err;
   const auto labels = labels_of(scene);
   ASSERT_EQ(run.points.size(), labels.size());
   ASSERT_EQ(run.report["parts"].size(), truth["components"].size());

@@ -170,14 +170,25 @@ TEST(Inspector, RefusedPicksStillMakeAReport) {
   for (const PartFinding& part : found->parts) EXPECT_EQ(part.status, Verdict::kNotMeasured);
 }
 
-TEST(Inspector, FindIsNotThereYetAndSaysSo) {
-  const auto design = tee_design();
+TEST(Inspector, FindsTheSpoolWithNoHintAndNotWhereItIsNot) {
+  const auto design = PreparedDesign::prepare(test::design_of(test::tee_spool()), 1, true);
+  ASSERT_TRUE(design);
   std::mt19937 random{7};
-  const auto found = Inspector(design).process(cluttered_scan(Pose::Identity(), random), kNoise,
-                                               {.align = AlignMethod::kFind});
+  const Pose T_true = test::random_motion(1.2, 2.0, random);
+  PointCloud scan = cluttered_scan(T_true.inverse(), random);
+  const auto found = Inspector(*design).process(scan, kNoise, {.align = AlignMethod::kFind});
   ASSERT_TRUE(found);
-  EXPECT_FALSE(found->alignment.found);
-  EXPECT_NE(found->alignment.reason.find("pick three pairs"), std::string::npos);
+  ASSERT_TRUE(found->alignment.found) << found->alignment.reason;
+  EXPECT_LT(test::pose_error((*design)->samples, found->alignment.T_design_scan, T_true).worst_m,
+            0.002);
+  EXPECT_TRUE(found->timing_s.contains("find"));
+  // The same table with nothing on it.
+  scan.points.erase(scan.points.begin(), scan.points.begin() + 6000);
+  const auto empty = Inspector(*design).process(scan, kNoise, {.align = AlignMethod::kFind});
+  ASSERT_TRUE(empty);
+  EXPECT_FALSE(empty->alignment.found);
+  EXPECT_NE(empty->alignment.reason.find("scan"), std::string::npos);
+  EXPECT_EQ(empty->declutter.object, 0U);
 }
 
 TEST(Inspector, PicksWhereNothingIsAreNotFound) {

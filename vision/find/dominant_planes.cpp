@@ -27,6 +27,22 @@ struct Patches {
   float cell = 0;  // m
 };
 
+// As far apart as the points are where the scan is sparser than the cells: the median distance to
+// the fourth neighbour (m).
+float spacing(const std::vector<Eigen::Vector3f>& points, const PointIndex& index, float most) {
+  std::vector<float> fourth;
+  std::vector<Neighbour> near;
+  const std::size_t step = points.size() / 500 + 1;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    index.nearest_k(points[i], 5, most, near);
+    fourth.push_back(near.size() == 5 ? near.back().distance : most);
+  }
+  if (fourth.empty()) return 0;
+  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
+  std::nth_element(fourth.begin(), middle, fourth.end());
+  return *middle;
+}
+
 // The scan thinned to a size at which floor and walls are plain, with normals.
 Patches patches_of(std::span<const Eigen::Vector3f> points, double size_m, const Watch& watch) {
   Patches patches;
@@ -37,6 +53,7 @@ Patches patches_of(std::span<const Eigen::Vector3f> points, double size_m, const
   }
   patches.normals.assign(patches.points.size(), Eigen::Vector3f::Zero());
   const PointIndex index(patches.points);
+  patches.cell = std::max(patches.cell, spacing(patches.points, index, 8 * patches.cell));
   parallel_chunks(patches.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
     if (watch.cancelled()) return;
     std::vector<Neighbour> near;
@@ -121,12 +138,13 @@ std::vector<std::uint32_t> largest_piece(const Patches& patches,
   return best;
 }
 
-// Near the patches: within two cells, across holes that the scan left.
+// Near the patches: within four cells, across holes that the scan left and corners that have no
+// normal.
 Occupancy patch_of(const Patches& patches, const std::vector<std::uint32_t>& piece) {
   std::vector<Eigen::Vector3f> points;
   points.reserve(piece.size());
   for (const std::uint32_t i : piece) points.push_back(patches.points[i]);
-  return Occupancy(points, 2.5 * double{patches.cell});
+  return Occupancy(points, 4.0 * double{patches.cell});
 }
 
 // Longer than the design, by more than the patches' own size, and at least half as wide. Measured
@@ -193,6 +211,9 @@ std::vector<DominantPlane> dominant_planes(std::span<const Eigen::Vector3f> poin
     std::erase_if(left, [&](std::uint32_t i) { return drop[i] != 0; });
     if (gone.empty()) break;
   }
+  std::stable_sort(
+      planes.begin(), planes.end(),
+      [](const DominantPlane& a, const DominantPlane& b) { return a.points > b.points; });
   return planes;
 }
 

@@ -62,14 +62,17 @@ void classify_by_surface(const CloudView& scan_design, const Deviations& deviati
     for (std::size_t k = begin; k < end; ++k) {
       const std::uint32_t i = near.place[k];
       const Eigen::Vector3f& point = near.cloud.points[k];
+      const float off = std::abs(deviations.distance_m[i]);
+      // Of the floor or of the steel that stands on it: whichever is nearer.
+      const float band = std::min(3 * noise, off);
       if (std::any_of(planes.begin(), planes.end(),
-                      [&](const DominantPlane& plane) { return plane.holds(point, 3 * noise); }))
+                      [&](const DominantPlane& plane) { return plane.holds(point, band); }))
         continue;
       const Eigen::Vector3f& n = near.cloud.normals[k];
       const bool known = n.squaredNorm() > 0.5F;
       float along = n.dot(deviations.normal[i]);
       if (!options.oriented_normals) along = std::abs(along);
-      const bool is_on = std::abs(deviations.distance_m[i]) <= kOnSurface * noise;
+      const bool is_on = off <= kOnSurface * noise;
       if (is_on)
         own[k] = Own::kOn;
       else if (known && along > kAlong)

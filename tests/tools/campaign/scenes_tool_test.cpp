@@ -77,9 +77,10 @@ TEST(ScenesTool, WritesTheDefectsItDid) {
   EXPECT_EQ((*truth)["defects"][0]["type"], "turned");
   EXPECT_EQ((*truth)["defects"][0]["component"], "elbow_2");
   EXPECT_EQ((*truth)["defects"][0]["deg"], 90.0);
-  for (const auto& component : (*truth)["components"])
-    if (component["name"] == "elbow_2")
-      EXPECT_NEAR(component["error_root"]["r_norm_deg"].get<double>(), 90, 1e-6);
+  for (const auto& component : (*truth)["components"]) {
+    if (component["name"] != "elbow_2") continue;
+    EXPECT_NEAR(component["error_root"]["r_norm_deg"].get<double>(), 90, 1e-6);
+  }
 }
 
 }  // namespace
