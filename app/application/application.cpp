@@ -150,9 +150,9 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
       ui::draw_screen(screen_state(), theme_, layout_, targets_);
   ImGui::Render();
 
-  if (const Status status = update_still(); !status) return status;
+  if (Status status = update_still(); !status) return status;
   if (const VisionStatePtr& state = shown()) picture_->set_state(*state);
-  if (const Status status = picture_->draw(scenes(), *ImGui::GetDrawData()); !status) return status;
+  if (Status status = picture_->draw(scenes(), *ImGui::GetDrawData()); !status) return status;
   if (pending_screen_) {
     const std::string file = std::move(*pending_screen_);
     pending_screen_.reset();

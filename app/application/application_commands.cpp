@@ -276,7 +276,7 @@ void Application::fail(const Error& error) {
 
 Status Application::finish() {
   pending_screen_ = "screen_end.png";
-  if (const Status status = frame(now_s_, {}); !status) return status;
+  if (Status status = frame(now_s_, {}); !status) return status;
   if (last_tracked_) start_check(true);
   jobs_.wait();   // the inspection
   take_checks();  // draws its pictures

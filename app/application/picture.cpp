@@ -88,7 +88,7 @@ Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& 
   const bool fills = scenes.size() == 1 && scenes.front().view.camera.width == target_.width() &&
                      scenes.front().view.camera.height == target_.height();
   if (!fills) {
-    if (const Status status = draw_background(); !status) return status;
+    if (Status status = draw_background(); !status) return status;
   }
   std::size_t used = 0;
   for (const ScenePicture& scene : scenes) {
@@ -98,7 +98,7 @@ Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& 
     const int width = scene.view.camera.width;
     const int height = scene.view.camera.height;
     if (width == target_.width() && height == target_.height()) {
-      if (const Status status = renderer.draw(target_, scene.view, style); !status) return status;
+      if (Status status = renderer.draw(target_, scene.view, style); !status) return status;
       continue;
     }
     if (parts_.size() <= used) parts_.emplace_back();
@@ -108,7 +108,7 @@ Status Picture::draw(const std::vector<ScenePicture>& scenes, const ImDrawData& 
       if (!made) return made.error();
       part = std::move(*made);
     }
-    if (const Status status = renderer.draw(part, scene.view, style); !status) return status;
+    if (Status status = renderer.draw(part, scene.view, style); !status) return status;
     part.copy_to(target_, static_cast<int>(std::lround(scene.rect.x)),
                  static_cast<int>(std::lround(scene.rect.y)));
   }

@@ -116,29 +116,29 @@ Status write_json(const std::filesystem::path& path, const json& content) {
 
 Status write_scene(const Scene& scene, const std::filesystem::path& folder) {
   for (const char* each : {"", "design", "truth"})
-    if (const Status made = make_folder(folder / each); !made) return made;
+    if (Status made = make_folder(folder / each); !made) return made;
   const bool handheld = scene.request.sensor == SensorKind::kHandheld;
   PlyColumn station{.name = handheld ? "frame" : "station", .type = PlyColumn::Type::kUchar};
   station.uchars = scene.stations;
-  if (const Status s = write_ply(folder / "cloud.ply", scene.cloud, {station}); !s) return s;
-  if (const Status s = write_json(folder / "sensor.json", sensor(scene)); !s) return s;
-  if (const Status s = write_file_whole(folder / "design" / "model.glb", scene.glb()); !s) return s;
+  if (Status s = write_ply(folder / "cloud.ply", scene.cloud, {station}); !s) return s;
+  if (Status s = write_json(folder / "sensor.json", sensor(scene)); !s) return s;
+  if (Status s = write_file_whole(folder / "design" / "model.glb", scene.glb()); !s) return s;
   std::string labels;
   for (const std::uint16_t label : scene.labels) {
     labels.push_back(static_cast<char>(label & 0xFF));
     labels.push_back(static_cast<char>(label >> 8));
   }
-  if (const Status s = write_file_whole(folder / "truth" / "labels.bin", labels); !s) return s;
+  if (Status s = write_file_whole(folder / "truth" / "labels.bin", labels); !s) return s;
   if (!scene.objects.empty()) {
     const Pose T_design_scan = scene.objects.front().T_scan_design.inverse();
     const json pose = {{"T_design_scan", row_major(T_design_scan)}};
-    if (const Status s = write_json(folder / "truth" / "pose.json", pose); !s) return s;
+    if (Status s = write_json(folder / "truth" / "pose.json", pose); !s) return s;
   }
   if (handheld) {
     json cameras = json::array();
     for (std::size_t i = 0; i < scene.T_scan_camera.size(); ++i)
       cameras.push_back({{"frame", i}, {"camera_to_world", rows(scene.T_scan_camera[i])}});
-    if (const Status s = write_json(folder / "truth" / "poses.json", cameras); !s) return s;
+    if (Status s = write_json(folder / "truth" / "poses.json", cameras); !s) return s;
   }
   return write_json(folder / "truth" / "truth.json", truth(scene));
 }

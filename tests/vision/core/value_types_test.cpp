@@ -104,6 +104,25 @@ TEST(Watch, ReportsAndStops) {
   Watch{}.report("nobody listens", 1.0);
 }
 
+TEST(WatchedLoop, CallsForEveryIndexInOrder) {
+  for (const std::size_t count : {0U, 1U, 16384U, 40000U}) {
+    std::size_t next = 0;
+    EXPECT_TRUE(watched_loop(count, Watch{}, [&](std::size_t i) { EXPECT_EQ(i, next++); }));
+    EXPECT_EQ(next, count);
+  }
+}
+
+TEST(WatchedLoop, EndsSoonAfterItIsStopped) {
+  std::stop_source stop;
+  std::size_t calls = 0;
+  EXPECT_FALSE(watched_loop(1000000, Watch{stop.get_token(), {}}, [&](std::size_t i) {
+    ++calls;
+    if (i == 50000) stop.request_stop();
+  }));
+  EXPECT_GT(calls, 50000U);
+  EXPECT_LT(calls, 100000U);  // calls of a microsecond: a twentieth of a second
+}
+
 TEST(Version, IsSaid) {
   EXPECT_FALSE(version().empty());
   EXPECT_FALSE(commit().empty());
