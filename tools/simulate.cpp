@@ -51,8 +51,10 @@ Result<int> simulate(const Arguments& arguments) {
   if (!writer) return writer.error();
   Progress progress;
   Merged merged;
+  simulator::FrameBuffers buffers;
+  DepthFrame frame;
   for (std::int64_t n = 0; n < arguments.frames; ++n) {
-    const DepthFrame frame = simulator->frame(n);
+    simulator->frame(n, buffers, frame);
     if (const Status written = writer->write(frame); !written) return written.error();
     if (arguments.merged)
       if (const Status added = merged.add(*simulator, frame); !added) return added.error();

@@ -71,6 +71,24 @@ PointCloud some_of(const PointCloud& cloud, std::size_t limit, const Wanted& wan
   return out;
 }
 
+// At most `limit` samples of each part, spread evenly over the order they stand in.
+SurfaceSamples some_of_each_part(const SurfaceSamples& samples, std::size_t parts,
+                                 std::size_t limit) {
+  std::vector<std::vector<std::size_t>> of_part(parts);
+  for (std::size_t i = 0; i < samples.part.size(); ++i)
+    of_part[static_cast<std::size_t>(samples.part[i])].push_back(i);
+  SurfaceSamples some;
+  some.radius_m = samples.radius_m;
+  for (const std::vector<std::size_t>& all : of_part) {
+    const std::size_t step = std::max<std::size_t>(1, (all.size() + limit - 1) / limit);
+    for (std::size_t k = 0; k < all.size(); k += step) {
+      some.cloud.points.push_back(samples.cloud.points[all[k]]);
+      some.part.push_back(samples.part[all[k]]);
+    }
+  }
+  return some;
+}
+
 }  // namespace
 
 std::string_view name(TrackQuality quality) {
@@ -92,6 +110,7 @@ struct FrameProcessor::Impl {
   NoiseModel noise;
   FrameProcessorOptions options;
   Eigen::AlignedBox3d bounds;
+  SurfaceSamples coverage_samples;
   std::uint64_t revision = 0;
   std::uint64_t alignment = 0;
   std::string alignment_hint;           // why the last alignment was not believed
@@ -105,7 +124,8 @@ struct FrameProcessor::Impl {
   [[nodiscard]] std::shared_ptr<VisionState> thin(std::shared_ptr<const DepthFrame> frame,
                                                   PointCloud organised, const Camera& small);
   void measure(VisionState& state) const;
-  void track(VisionState& state, const Pose& guess, double reach_m);
+  void track(VisionState& state, const Pose& guess, const IcpOptions& refinement);
+  [[nodiscard]] IcpOptions frame_to_frame() const;
   [[nodiscard]] double noise_at(const Pose& T_camera_design) const;
 };
 
@@ -113,6 +133,8 @@ FrameProcessor::FrameProcessor(std::shared_ptr<const PreparedDesign> design, con
                                const NoiseModel& noise, const FrameProcessorOptions& options)
     : impl_(std::make_unique<Impl>()) {
   impl_->bounds = design->model.bounds();
+  impl_->coverage_samples =
+      some_of_each_part(design->samples, design->model.parts.size(), options.coverage_samples);
   impl_->design = std::move(design);
   impl_->camera = camera;
   impl_->noise = noise;
@@ -141,8 +163,16 @@ double FrameProcessor::Impl::noise_at(const Pose& T_camera_design) const {
   return std::max(noise.axial_m(z), 0.5 * camera.depth_unit_m);
 }
 
+IcpOptions FrameProcessor::Impl::frame_to_frame() const {
+  return {.max_iterations = options.track_iterations,
+          .start_distance_m = options.track_distance_m,
+          .stop_translation_m = options.track_stop_m,
+          .stop_rotation_rad = options.track_stop_rad};
+}
+
 // Refines `guess` on the state's points and says how far the frame bears it out.
-void FrameProcessor::Impl::track(VisionState& state, const Pose& guess, double reach_m) {
+void FrameProcessor::Impl::track(VisionState& state, const Pose& guess,
+                                 const IcpOptions& refinement) {
   StageClock clock(state.timing_s);
   state.point_noise_m = noise_at(guess.inverse());
   const double margin = options.near_design_m;
@@ -152,8 +182,9 @@ void FrameProcessor::Impl::track(VisionState& state, const Pose& guess, double r
   const PointCloud near =
       some_of(state.scan, options.track_points,
               [&](const Eigen::Vector3f& point) { return box.contains(T_guess * point); });
-  const IcpResult icp = refine_icp(near, *design->surface, guess,
-                                   {.start_distance_m = reach_m, .noise_m = state.point_noise_m});
+  IcpOptions icp_options = refinement;
+  icp_options.noise_m = state.point_noise_m;
+  const IcpResult icp = refine_icp(near, *design->surface, guess, icp_options);
   clock.mark("track");
   // The gate of "seen": three standard deviations of a point, and what the fit leaves over.
   const double gate = 3.0 * state.point_noise_m + icp.rms_m;
@@ -195,7 +226,7 @@ void FrameProcessor::Impl::measure(VisionState& state) const {
   drop_turned_away(state.scan_design, state.T_design_camera.translation(), *design->surface,
                    static_cast<float>(3.0 * state.point_noise_m), state.classes, state.deviations);
   state.parts = summarise_parts(design->model, state.scan_design, state.classes, state.deviations,
-                                design->samples);
+                                coverage_samples);
 }
 
 Result<VisionStatePtr> FrameProcessor::process(std::shared_ptr<const DepthFrame> frame) {
@@ -227,7 +258,7 @@ Result<VisionStatePtr> FrameProcessor::process(std::shared_ptr<const DepthFrame>
                                      {.start_distance_m = self.options.track_distance_m});
     if (icp.converged) self.T_held_camera = icp.T_design_scan;
   } else if (self.T_design_camera) {
-    self.track(*state, *self.T_design_camera, self.options.track_distance_m);
+    self.track(*state, *self.T_design_camera, self.frame_to_frame());
   }
   return VisionStatePtr(std::move(state));
 }
@@ -257,7 +288,7 @@ VisionStatePtr FrameProcessor::align(const VisionState& held, const Pose& T_desi
   state->stride_px = held.stride_px;
   self.T_design_camera.reset();
   self.alignment_hint.clear();
-  self.track(*state, T_design_camera, self.options.align_distance_m);
+  self.track(*state, T_design_camera, {.start_distance_m = self.options.align_distance_m});
   if (!state->is_tracked()) {
     state->quality = TrackQuality::kUnaligned;
     self.alignment_hint = "The picks do not fit what is seen: undo one and pick it again.";

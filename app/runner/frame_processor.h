@@ -28,6 +28,12 @@ struct FrameProcessorOptions {
   double good_agreement = 0.7;
   double lost_agreement = 0.4;
   double good_rms_noises = 3.0;  // residuals over the sensor's noise for "good"
+  // A frame's pose has to be good to its own noise, and to be there before the next frame is.
+  int track_iterations = 20;
+  double track_stop_m = 1e-4;    // m
+  double track_stop_rad = 1e-4;  // rad
+  // Coverage that is shown live is judged by so many samples a part: right to 4 % of the part.
+  std::size_t coverage_samples = 150;
   double min_in_sight = 0.25;    // a hand may hide the rest
   std::size_t min_samples = 40;  // fewer surface samples in sight: cannot tell where it is
 };

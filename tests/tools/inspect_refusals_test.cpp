@@ -1,19 +1,22 @@
 // spoolsight-inspect and what it cannot use: the exit code, one sentence, nothing written.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "app/common/json_file.h"
-#include "app/sensor/depth_png.h"
+#include "tests/support/depth_files.h"
 #include "tests/support/process.h"
+#include "tests/support/refusal.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 #include "tests/tools/small_scene.h"
 
 namespace spool {
@@ -21,6 +24,20 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::ProcessResult;
+
+// A command line, @name meaning the file of that name in the test's folder.
+using Words = std::vector<std::string>;
+
+Words words(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+// What every run needs and, where it is not about the design, is right; then what a row is about.
+Words with_scan(const std::string& scan, const std::string& more = "") {
+  return words("--design @design.obj --design-unit m --scan " + scan + " " + more);
+}
+Words with_cloud(const std::string& cloud) { return with_scan(cloud, "--scan-unit m"); }
+Words good_and(const std::string& more) { return with_scan("@scan.ply", more); }
 
 class InspectRefusals : public testing::Test {
  protected:
@@ -44,28 +61,19 @@ class InspectRefusals : public testing::Test {
     write("mirror.json", R"({"T_design_scan": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]})");
     write("calibration.json", R"({"calibration": {"scale_u": 7}})");
     fs::create_directory(folder_.path() / "plain_folder");
-    write_depth_folder("no_frames", 640, 480, 0);
-    write_depth_folder("two_frames", 4, 3, 2);
-    write_depth_folder("wrong_size", 640, 480, 2);
-    write_depth_folder("no_lens", 4, 3, 2);
-    write(
-        "no_lens/camera.json",
-        R"({"width": 4, "height": 3, "fx": 0, "fy": 1, "cx": 2, "cy": 1, "depth_unit_m": 0.001})");
     fs::create_directory(folder_.path() / "folder.ply");
+    write_recording("no_frames", {}, 0);
+    write_recording("two_frames", {.width = "4", .height = "3"}, 2);
+    write_recording("wrong_size", {}, 2);
+    write_recording("no_lens", {.width = "4", .height = "3", .fx = "0"}, 2);
   }
 
-  void write(const std::string& name, const std::string& bytes) {
-    std::ofstream(folder_.path() / name, std::ios::binary) << bytes;
+  void write(const std::string& name, std::string_view bytes) {
+    test::write_file(folder_.path() / name, bytes);
   }
-  // A recording of `frames` images of 4x3 px without a reading, whose camera claims another size.
-  void write_depth_folder(const std::string& name, int width, int height, int frames) {
-    fs::create_directories(folder_.path() / name / "depth");
-    Camera camera{.width = width, .height = height, .fx = 500, .fy = 500, .cx = 2, .cy = 1};
-    write(name + "/camera.json", json_text(camera_to_json(camera)));
-    const auto png = sensor::encode_depth_png(std::vector<std::uint16_t>(12, 0), 4, 3);
-    ASSERT_TRUE(png);
-    for (int i = 0; i < frames; ++i)
-      write(name + "/depth/00000" + std::to_string(i) + ".png", *png);
+  // Images of 4x3 px without a reading, whatever the camera says.
+  void write_recording(const std::string& name, const test::CameraText& camera, int frames) {
+    test::write_blank_recording(folder_.path() / name, camera, frames, 4, 3);
   }
   std::string text_of(const std::string& name) {
     std::ifstream file(folder_.path() / name, std::ios::binary);
@@ -73,9 +81,8 @@ class InspectRefusals : public testing::Test {
   }
   std::string at(const std::string& name) { return (folder_.path() / name).string(); }
 
-  // `words` with @name meaning the file of that name in the folder.
-  ProcessResult inspect(const std::vector<std::string>& words) {
-    std::vector<std::string> arguments;
+  ProcessResult inspect(const Words& words) {
+    Words arguments;
     for (const auto& word : words) arguments.push_back(word[0] == '@' ? at(word.substr(1)) : word);
     return test::run(test::program("spoolsight-inspect"), arguments);
   }
@@ -86,7 +93,7 @@ class InspectRefusals : public testing::Test {
 
 struct Case {
   const char* name;
-  std::vector<std::string> words;  // beside --out
+  Words words;  // beside --out
   int code;
   const char* sentence;  // part of the one line on stderr
 };
@@ -94,176 +101,64 @@ struct Case {
 TEST_F(InspectRefusals, AnswerEveryBadInputWithItsCodeAndOneSentence) {
   const std::vector<Case> cases = {
       {"nothing given", {}, 64, "--design"},
-      {"no scan", {"--design", "@design.obj"}, 64, "--scan"},
-      {"unknown flag", {"--design", "@design.obj", "--scan", "@scan.ply", "--fast"}, 64, "--fast"},
-      {"unknown unit",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--scan-unit", "ft"},
-       64,
-       "scan-unit"},
-      {"no such method",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--align", "guess"},
-       64,
-       "guess is no method"},
+      {"no scan", words("--design @design.obj"), 64, "--scan"},
+      {"unknown flag", good_and("--fast"), 64, "--fast"},
+      {"unknown unit", good_and("--scan-unit ft"), 64, "scan-unit"},
+      {"no such method", good_and("--align guess"), 64, "guess is no method"},
       {"two designs and a pose",
-       {"--design", "@design.obj", "--design", "@design.obj", "--scan", "@scan.ply", "--pose",
-        "@pose.json"},
-       64,
+       words("--design @design.obj --design @design.obj --scan @scan.ply --pose @pose.json"), 64,
        "one design"},
-      {"pose without file",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--align", "pose"},
-       64,
-       "--pose FILE"},
-      {"pairs without file",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--align", "three-point"},
-       64,
-       "--pairs FILE"},
-      {"both",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--pairs", "@pairs.json", "--pose",
-        "@pose.json"},
-       64,
-       "contradict"},
-      {"pose and pairs method",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--pose", "@pose.json", "--align",
-        "principal-axes"},
-       64,
+      {"pose without file", good_and("--align pose"), 64, "--pose FILE"},
+      {"pairs without file", good_and("--align three-point"), 64, "--pairs FILE"},
+      {"both", good_and("--pairs @pairs.json --pose @pose.json"), 64, "contradict"},
+      {"pose and pairs method", good_and("--pose @pose.json --align principal-axes"), 64,
        "--pose is for"},
-      {"frame of a cloud",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--frame", "2", "--scan-unit", "m",
-        "--design-unit", "m"},
-       64,
-       "--frame is for recordings"},
-      {"negative frame",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--frame", "-2"},
-       64,
-       "--frame"},
-      {"unknown datum",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@scan.ply", "--datum", "F9"},
-       64,
-       "--datum F9"},
-      {"design missing", {"--design", "@none.glb", "--scan", "@scan.ply"}, 65, "none.glb"},
-      {"design empty", {"--design", "@empty.glb", "--scan", "@scan.ply"}, 65, "empty.glb"},
-      {"design cut short", {"--design", "@cut.glb", "--scan", "@scan.ply"}, 65, "cut.glb"},
-      {"design is a scan's kind of text",
-       {"--design", "@text.ply", "--scan", "@scan.ply"},
-       65,
+      {"frame of a cloud", good_and("--frame 2 --scan-unit m"), 64, "--frame is for recordings"},
+      {"negative frame", good_and("--frame -2"), 64, "--frame"},
+      {"unknown datum", good_and("--datum F9"), 64, "--datum F9"},
+      {"design missing", words("--design @none.glb --scan @scan.ply"), 65, "none.glb"},
+      {"design empty", words("--design @empty.glb --scan @scan.ply"), 65, "empty.glb"},
+      {"design cut short", words("--design @cut.glb --scan @scan.ply"), 65, "cut.glb"},
+      {"design is a scan's kind of text", words("--design @text.ply --scan @scan.ply"), 65,
        "text.ply"},
-      {"design is a folder",
-       {"--design", "@plain_folder", "--scan", "@scan.ply"},
-       65,
-       "plain_folder"},
-      {"scan missing",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@none.ply"},
-       65,
-       "none.ply"},
-      {"scan empty",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@empty.ply"},
-       65,
-       "empty.ply"},
-      {"scan cut short",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@cut.ply", "--scan-unit", "m"},
-       65,
-       "cut.ply"},
-      {"scan of wrong kind",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@text.ply", "--scan-unit", "m"},
-       65,
-       "text.ply"},
-      {"scan without points",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@no_points.ply", "--scan-unit",
-        "m"},
-       65,
-       "no_points.ply"},
-      {"scan of NaN alone",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@nan.ply", "--scan-unit", "m"},
-       65,
-       "nan.ply"},
-      {"scan a folder named as a file",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@folder.ply", "--scan-unit",
-        "m"},
-       65,
-       "folder.ply"},
-      {"scan a folder without frames",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@plain_folder"},
-       65,
-       "plain_folder"},
-      {"scan a folder without images",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@no_frames"},
-       65,
-       "no_frames"},
-      {"depth frame of the wrong size",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@wrong_size"},
-       65,
-       "wrong_size"},
-      {"depth frame without a reading",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@two_frames"},
-       65,
-       "measured nothing"},
-      {"frame beyond the end",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@two_frames", "--frame", "2"},
-       65,
-       "no frame 2"},
-      {"camera without a lens",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@no_lens"},
-       65,
-       "\"fx\" has to be more than 0"},
-      {"unit of a recording",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@two_frames", "--scan-unit",
-        "mm"},
-       64,
+      {"design is a folder", words("--design @plain_folder --scan @scan.ply"), 65, "plain_folder"},
+      {"scan missing", with_scan("@none.ply"), 65, "none.ply"},
+      {"scan empty", with_scan("@empty.ply"), 65, "empty.ply"},
+      {"scan cut short", with_cloud("@cut.ply"), 65, "cut.ply"},
+      {"scan of wrong kind", with_cloud("@text.ply"), 65, "text.ply"},
+      {"scan without points", with_cloud("@no_points.ply"), 65, "no_points.ply"},
+      {"scan of NaN alone", with_cloud("@nan.ply"), 65, "nan.ply"},
+      {"scan a folder named as a file", with_cloud("@folder.ply"), 65, "folder.ply"},
+      {"scan a folder without frames", with_scan("@plain_folder"), 65, "plain_folder"},
+      {"scan a folder without images", with_scan("@no_frames"), 65, "no_frames"},
+      {"depth frame of the wrong size", with_scan("@wrong_size"), 65, "wrong_size"},
+      {"depth frame without a reading", with_scan("@two_frames"), 65, "measured nothing"},
+      {"frame beyond the end", with_scan("@two_frames", "--frame 2"), 65, "no frame 2"},
+      {"camera without a lens", with_scan("@no_lens"), 65, "\"fx\" has to be more than 0"},
+      {"unit of a recording", with_scan("@two_frames", "--scan-unit mm"), 64,
        "--scan-unit is for cloud files"},
-      {"camera that is not there",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "openni:no/such"},
-       69,
-       "openni:no/such"},
-      {"scan recording missing",
-       {"--design", "@design.obj", "--design-unit", "m", "--scan", "@none.oni"},
-       65,
-       "none.oni"},
-      {"pairs missing",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--pairs", "@none.json"},
-       65,
-       "none.json"},
-      {"pairs empty",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--pairs", "@empty.json"},
-       65,
-       "empty.json: is empty"},
-      {"two pairs",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--pairs", "@two_pairs.json"},
-       65,
-       "three or more"},
-      {"pose mirrored",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--pose", "@mirror.json"},
-       65,
-       "mirrors"},
-      {"calibration impossible",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--calibration", "@calibration.json"},
-       65,
+      {"camera that is not there", with_scan("openni:no/such"), 69, "openni:no/such"},
+      {"scan recording missing", with_scan("@none.oni"), 65, "none.oni"},
+      {"pairs missing", good_and("--pairs @none.json"), 65, "none.json"},
+      {"pairs empty", good_and("--pairs @empty.json"), 65, "empty.json: is empty"},
+      {"two pairs", good_and("--pairs @two_pairs.json"), 65, "three or more"},
+      {"pose mirrored", good_and("--pose @mirror.json"), 65, "mirrors"},
+      {"calibration impossible", good_and("--calibration @calibration.json"), 65,
        "calibration.scale_u"},
-      {"standard missing",
-       {"--design", "@design.obj", "--scan", "@scan.ply", "--standard", "@none.json"},
-       65,
-       "none.json"},
+      {"standard missing", good_and("--standard @none.json"), 65, "none.json"},
   };
-  for (const auto& [name, words, code, sentence] : cases) {
-    SCOPED_TRACE(name);
-    auto arguments = words;
+  for (const Case& row : cases) {
+    SCOPED_TRACE(row.name);
+    Words arguments = row.words;
     arguments.insert(arguments.end(), {"--out", "@out"});
-    const auto result = inspect(arguments);
-    EXPECT_EQ(result.code, code) << result.err;
-    EXPECT_EQ(result.signal, 0);
-    EXPECT_NE(result.err.find(sentence), std::string::npos) << result.err;
-    EXPECT_EQ(result.err.find("spoolsight-inspect: "), 0U) << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-    EXPECT_TRUE(result.out.empty()) << result.out;
+    test::expect_refused(inspect(arguments), "spoolsight-inspect", row.code, row.sentence);
     EXPECT_FALSE(fs::exists(folder_.path() / "out"));
   }
 }
 
 TEST_F(InspectRefusals, RefuseAnOutputFolderThatIsAFile) {
-  const auto result =
-      inspect({"--design", "@design.obj", "--design-unit", "m", "--scan", "@scan.ply",
-               "--scan-unit", "m", "--pose", "@pose.json", "--out", "@empty.ply"});
-  EXPECT_EQ(result.code, 74) << result.err;
-  EXPECT_NE(result.err.find("empty.ply"), std::string::npos) << result.err;
+  const auto result = inspect(good_and("--scan-unit m --pose @pose.json --out @empty.ply"));
+  test::expect_refused(result, "spoolsight-inspect", 74, "empty.ply");
 }
 
 TEST_F(InspectRefusals, LeaveTheEarlierReportWhenTheDiskIsFull) {

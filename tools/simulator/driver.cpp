@@ -83,12 +83,14 @@ class SimulatedStream final : public DepthStream {
   void serve(const std::stop_token& stop) {
     const double period = 1 / camera_->simulator.scene().sensor.frames_per_second;
     const Clock::time_point start = camera_->started();
+    FrameBuffers buffers;
+    DepthFrame frame;
     for (std::int64_t next = 0;;) {
       const std::chrono::duration<double> since = Clock::now() - start;
       next = std::max(next, static_cast<std::int64_t>(since.count() / period));
       if (!sleep_until(start + as_duration(static_cast<double>(next) * period), stop)) return;
       if (camera_->is_plugged()) {
-        const DepthFrame frame = camera_->simulator.frame(next);
+        camera_->simulator.frame(next, buffers, frame);
         if (stop.stop_requested()) return;
         raise(frame.depth, static_cast<std::uint64_t>(std::llround(frame.seconds * 1e6)),
               static_cast<int>(next + 1));

@@ -35,12 +35,12 @@ void slide(const float* in, std::size_t stride_in, float* out, std::size_t strid
 
 }  // namespace
 
-std::vector<float> windowed_noise(int width, int height, int window, std::uint64_t key) {
+void windowed_noise(int width, int height, int window, std::uint64_t key, NoiseField& field) {
   assert(width > 0 && height > 0 && window > 0 && window % 2 == 1 && "a window has a middle");
   const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
   const std::size_t margin = static_cast<std::size_t>(window) - 1;
   const std::size_t wide = (w + margin + 3) / 4 * 4, high = h + margin;
-  std::vector<float> rows(w * high);  // summed along u
+  field.rows.resize(w * high);
   parallel_chunks(high, 32, [&](std::size_t begin, std::size_t end) {
     std::vector<float> white(wide);
     for (std::size_t v = begin; v < end; ++v) {
@@ -48,10 +48,11 @@ std::vector<float> windowed_noise(int width, int height, int window, std::uint64
         const std::uint64_t bits = mix(key + v * wide + u);
         for (std::size_t i = 0; i < 4; ++i) white[u + i] = uniform16(bits >> (16 * i));
       }
-      slide(white.data(), 1, rows.data() + v * w, 1, w, window);
+      slide(white.data(), 1, field.rows.data() + v * w, 1, w, window);
     }
   });
-  std::vector<float> field(w * h);
+  field.values.resize(w * h);
+  const std::vector<float>& rows = field.rows;
   const float scale = 1.0F / static_cast<float>(window);  // the sum of window^2 has that sigma
   parallel_chunks(h, 32, [&](std::size_t begin, std::size_t end) {
     std::vector<float> sum(w, 0.0F);
@@ -59,11 +60,10 @@ std::vector<float> windowed_noise(int width, int height, int window, std::uint64
       for (std::size_t u = 0; u < w; ++u) sum[u] += rows[v * w + u];
     for (std::size_t v = begin; v < end; ++v)
       for (std::size_t u = 0; u < w; ++u) {
-        field[v * w + u] = sum[u] * scale;
+        field.values[v * w + u] = sum[u] * scale;
         if (v + 1 < end) sum[u] += rows[(v + margin + 1) * w + u] - rows[v * w + u];
       }
   });
-  return field;
 }
 
 float waver(float u, float v, float cell, std::uint64_t key) {

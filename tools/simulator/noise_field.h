@@ -22,11 +22,16 @@ namespace spool::simulator {
   return mix(mix(mix(seed) + static_cast<std::uint64_t>(frame)) + kind);
 }
 
-// width x height numbers of zero mean and unit variance, about Gaussian, each the mean over a
-// window of `window` x `window` pixels (odd): neighbours are correlated as far as the windows
-// overlap, as the depths of a sensor are that matches such windows.
-[[nodiscard]] std::vector<float> windowed_noise(int width, int height, int window,
-                                                std::uint64_t key);
+// A field of numbers and the memory that making it needs, kept for the next frame's.
+struct NoiseField {
+  std::vector<float> values;  // row-major
+  std::vector<float> rows;    // in the making: summed along u only
+};
+
+// Fills `field` with width x height numbers of zero mean and unit variance, about Gaussian, each
+// the mean over a window of `window` x `window` pixels (odd): neighbours are correlated as far as
+// the windows overlap, as the depths of a sensor are that matches such windows.
+void windowed_noise(int width, int height, int window, std::uint64_t key, NoiseField& field);
 
 // A number of zero mean and unit variance that wavers over about `cell` pixels; any pixel alone.
 [[nodiscard]] float waver(float u, float v, float cell, std::uint64_t key);

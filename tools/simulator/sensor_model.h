@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tools/simulator/caster.h"
+#include "tools/simulator/noise_field.h"
 #include "tools/simulator/scene.h"
 #include "vision/core/depth_frame.h"
 
@@ -24,7 +25,9 @@ namespace spool::simulator {
 //
 // The projector stands at -baseline on the camera's x axis: shadows fall on the right of
 // silhouettes. Occluders that the camera does not see itself cast none.
+//
+// `noise` is memory, kept from one frame to the next.
 void sense(const SensorSettings& sensor, const IdealImage& image, std::int64_t index,
-           DepthFrame& frame);
+           NoiseField& noise, DepthFrame& frame);
 
 }  // namespace spool::simulator

@@ -25,17 +25,27 @@ Pose Simulator::T_map_camera(std::int64_t index) const {
                      seconds);
 }
 
-IdealImage Simulator::ideal(std::int64_t index) const {
-  IdealImage image;
+void Simulator::look(std::int64_t index, IdealImage& image) const {
   // A little beyond the sensor's reach, so that noise decides about what lies at its end.
   caster_.cast(scene_.sensor.camera, T_map_camera(index), 1.2 * scene_.sensor.far_m, image);
+}
+
+IdealImage Simulator::ideal(std::int64_t index) const {
+  IdealImage image;
+  look(index, image);
   return image;
 }
 
+void Simulator::frame(std::int64_t index, FrameBuffers& buffers, DepthFrame& frame) const {
+  look(index, buffers.image);
+  sense(scene_.sensor, buffers.image, index, buffers.noise, frame);
+}
+
 DepthFrame Simulator::frame(std::int64_t index) const {
-  DepthFrame frame;
-  sense(scene_.sensor, ideal(index), index, frame);
-  return frame;
+  FrameBuffers buffers;
+  DepthFrame made;
+  frame(index, buffers, made);
+  return made;
 }
 
 }  // namespace spool::simulator

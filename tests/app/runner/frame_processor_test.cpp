@@ -86,6 +86,19 @@ TEST(FrameProcessor, EverythingOfAStateBelongsToItsFrame) {
   }
 }
 
+TEST(FrameProcessor, CoverageOfFewSamplesIsThatOfAll) {
+  FrameProcessor vision = processor();
+  const Pose T = test::T_design_camera();
+  const auto state = vision.align(*run(vision, frame_at(T, 0)), T);
+  ASSERT_TRUE(state->is_tracked());
+  const auto& design = *test::prepared_bracket();
+  const auto of_all = summarise_parts(design.model, state->scan_design, state->classes,
+                                      state->deviations, design.samples);
+  // 150 of each part's samples: three standard deviations of a share of a half are 0.12.
+  for (std::size_t p = 0; p < of_all.size(); ++p)
+    EXPECT_NEAR(state->parts[p].coverage, of_all[p].coverage, 0.12) << design.model.parts[p].name;
+}
+
 TEST(FrameProcessor, SaysLostWhenTheSpoolIsGoneAndFindsItAgainWhereItWas) {
   FrameProcessor vision = processor();
   const Pose T = test::T_design_camera();

@@ -4,7 +4,6 @@
 #include "app/sensor/depth_folder.h"
 
 #include <csignal>
-#include <fstream>
 #include <random>
 
 #include <sys/resource.h>
@@ -13,8 +12,11 @@
 
 #include "app/sensor/depth_png.h"
 #include "app/sensor/depth_source.h"
+#include "tests/support/depth_files.h"
+#include "tests/support/refusal.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 #include "vision/core/file_io.h"
 
 namespace spool::sensor {
@@ -22,6 +24,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
+using test::CameraText;
+using test::write_file;
 
 Camera small_camera() {
   Camera camera;
@@ -46,11 +50,6 @@ DepthFrame random_frame(const Camera& camera, std::int64_t index) {
   frame.depth.resize(static_cast<std::size_t>(camera.width * camera.height));
   for (auto& depth : frame.depth) depth = static_cast<std::uint16_t>(count(random));
   return frame;
-}
-
-void write_text(const fs::path& path, const std::string& text) {
-  fs::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << text;
 }
 
 // A folder of `count` frames.
@@ -146,12 +145,12 @@ TEST(DepthFolder, ReadsTheListOfTum) {
   const fs::path folder = temporary.path() / "a";
   write_folder(folder, 3);
   fs::remove(folder / "times.csv");
-  write_text(folder / "depth.txt", "# depth maps\n# file: a.bag\n10.5 depth/000002.png\r\n");
+  write_file(folder / "depth.txt", "# depth maps\n# file: a.bag\n10.5 depth/000002.png\r\n");
   const auto read = read_depth_folder(folder);
   ASSERT_TRUE(read) << read.error().message;
   ASSERT_EQ(read->files.size(), 1u);
   EXPECT_EQ(read->files[0].seconds, 10.5);
-  write_text(folder / "depth.txt", "10.5 ../../etc/passwd\n");
+  write_file(folder / "depth.txt", "10.5 ../../etc/passwd\n");
   EXPECT_NE(refusal(folder).message.find("depth.txt: line 1"), std::string::npos);
 }
 
@@ -176,41 +175,39 @@ TEST(DepthFolder, RefusesDamagedAndForeignFilesByName) {
       {"empty image", [](const fs::path& f) { fs::resize_file(f / "depth" / "000001.png", 0); },
        "the file is cut short"},
       {"no image",
-       [](const fs::path& f) { write_text(f / "depth" / "000001.png", std::string(5000, 'x')); },
+       [](const fs::path& f) { write_file(f / "depth" / "000001.png", std::string(5000, 'x')); },
        "000001.png"},
       {"wrong size",
        [](const fs::path& f) {
          const std::vector<std::uint16_t> depth(36 * 23, 7);
-         write_text(f / "depth" / "000001.png", *encode_depth_png(depth, 36, 23));
+         write_file(f / "depth" / "000001.png", test::grey_png(depth, 36, 23));
        },
        "its size is not the camera's"},
       {"not a number in camera.json",
        [](const fs::path& f) {
-         write_text(f / "camera.json",
-                    R"({"width":37,"height":23,"fx":NaN,"fy":1,"cx":1,"cy":1,"depth_unit_m":1})");
+         write_file(f / "camera.json",
+                    CameraText{.width = "37", .height = "23", .fx = "NaN"}.json());
        },
        "camera.json"},
       {"infinite focal length",
        [](const fs::path& f) {
-         write_text(f / "camera.json",
-                    R"({"width":37,"height":23,"fx":1e999,"fy":1,"cx":1,"cy":1,"depth_unit_m":1})");
+         write_file(f / "camera.json",
+                    CameraText{.width = "37", .height = "23", .fx = "1e999"}.json());
        },
        "camera.json"},
       {"a huge image and a small file",
        [](const fs::path& f) {
-         write_text(
-             f / "camera.json",
-             R"({"width":16384,"height":16384,"fx":1,"fy":1,"cx":1,"cy":1,"depth_unit_m":1})");
+         write_file(f / "camera.json", CameraText{.width = "16384", .height = "16384"}.json());
        },
        "the file is cut short"},
       {"time missing",
-       [](const fs::path& f) { write_text(f / "times.csv", "frame,seconds\n0,0\n"); },
+       [](const fs::path& f) { write_file(f / "times.csv", "frame,seconds\n0,0\n"); },
        "has no time for frame 1"},
       {"time not finite",
-       [](const fs::path& f) { write_text(f / "times.csv", "frame,seconds\n0,nan\n1,1\n"); },
+       [](const fs::path& f) { write_file(f / "times.csv", "frame,seconds\n0,nan\n1,1\n"); },
        "times.csv: line 2"},
       {"time runs back",
-       [](const fs::path& f) { write_text(f / "times.csv", "frame,seconds\n0,5\n1,1\n"); },
+       [](const fs::path& f) { write_file(f / "times.csv", "frame,seconds\n0,5\n1,1\n"); },
        "is earlier than the frame before it"},
   };
   for (const Case& one : cases) {
@@ -219,17 +216,17 @@ TEST(DepthFolder, RefusesDamagedAndForeignFilesByName) {
     const fs::path folder = temporary.path() / "a";
     write_folder(folder, 2);
     one.damage(folder);
-    const Error error = refusal(folder);
-    EXPECT_EQ(error.code, ErrorCode::kBadInput) << error.message;
-    EXPECT_NE(error.message.find(one.says), std::string::npos) << error.message;
+    test::expect_sentence(refusal(folder), ErrorCode::kBadInput, folder.string(), one.says);
   }
 }
 
 TEST(DepthFolder, RefusesImagesThatAreNotSixteenBitGrey) {
-  const std::vector<std::uint16_t> depth(12, 1);
-  std::string png = *encode_depth_png(depth, 4, 3);
-  png[24] = 8;  // the bit depth in IHDR; its checksum is now wrong as well
-  EXPECT_FALSE(decode_depth_png(png, 4, 3, "a.png"));
+  const std::vector<std::uint16_t> depth(12, 0x1234);
+  const auto sixteen = decode_depth_png(test::grey_png(depth, 4, 3), 4, 3, "a.png");
+  ASSERT_TRUE(sixteen) << sixteen.error().message;
+  EXPECT_EQ(*sixteen, depth);
+  test::expect_refused(decode_depth_png(test::grey_png(depth, 4, 3, 8), 4, 3, "a.png"),
+                       ErrorCode::kBadInput, "a.png: ", "it is not 16-bit grey");
 }
 
 TEST(DepthFolderWriter, NeverMixesIntoAFolderThatHoldsSomething) {

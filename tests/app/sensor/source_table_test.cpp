@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/sensor/depth_source.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
 namespace spool::sensor {
@@ -30,10 +31,7 @@ TEST(OpenSource, RefusesWhatIsNoSource) {
   };
   for (const Case& one : cases) {
     SCOPED_TRACE(one.text);
-    const auto source = open_source(one.text);
-    ASSERT_FALSE(source);
-    EXPECT_EQ(source.error().code, one.code);
-    EXPECT_NE(source.error().message.find(one.says), std::string::npos) << source.error().message;
+    test::expect_refused(open_source(one.text), one.code, one.text, one.says);
   }
 }
 

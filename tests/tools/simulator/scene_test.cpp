@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/refusal.h"
 #include "tests/support/shared_data.h"
 #include "tests/tools/simulator/test_scene.h"
 #include "tools/simulator/trajectory.h"
@@ -35,11 +36,7 @@ TEST(Scene, RefusesWhatItDoesNotUnderstandByKey) {
   };
   for (const Case& one : cases) {
     SCOPED_TRACE(one.json);
-    const auto simulator = open_scene(one.json);
-    ASSERT_FALSE(simulator);
-    EXPECT_EQ(simulator.error().code, ErrorCode::kBadInput) << simulator.error().message;
-    EXPECT_NE(simulator.error().message.find(one.says), std::string::npos)
-        << simulator.error().message;
+    test::expect_refused(open_scene(one.json), ErrorCode::kBadInput, "scene", one.says);
   }
 }
 

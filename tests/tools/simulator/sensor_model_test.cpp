@@ -99,7 +99,9 @@ TEST(SensorModel, StepSizeIsTheTextbooksAtFullResolution) {
 }
 
 TEST(SensorModel, CorrelatesNeighboursOverItsWindow) {
-  const auto field = windowed_noise(400, 300, 7, noise_key(1, 2, 3));
+  NoiseField noise;
+  windowed_noise(400, 300, 7, noise_key(1, 2, 3), noise);
+  const std::vector<float>& field = noise.values;
   const auto correlation = [&](std::size_t du, std::size_t dv) {
     double sum = 0, squares = 0;
     std::size_t count = 0;

@@ -9,7 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 #include "tests/vision/design/gltf_text.h"
 #include "vision/design/design_reader.h"
 
@@ -19,7 +21,7 @@ class GltfReader : public testing::Test {
  protected:
   Result<DesignModel> read(const std::string& bytes, const std::string& name = "design.glb",
                            std::optional<LengthUnit> unit = std::nullopt) {
-    return read_design(write(folder_.path(), name, bytes), unit);
+    return read_design(write_file(folder_.path() / name, bytes), unit);
   }
   DesignModel good(const std::string& bytes, const std::string& name = "design.glb",
                    std::optional<LengthUnit> unit = std::nullopt) {
@@ -29,12 +31,7 @@ class GltfReader : public testing::Test {
   }
   void refused(const std::string& bytes, const std::string& why,
                const std::string& name = "design.glb") {
-    const Result<DesignModel> design = read(bytes, name);
-    ASSERT_FALSE(design.has_value()) << why;
-    EXPECT_EQ(design.error().code, ErrorCode::kBadInput);
-    EXPECT_NE(design.error().message.find(name), std::string::npos) << design.error().message;
-    EXPECT_NE(design.error().message.find(why), std::string::npos) << design.error().message;
-    EXPECT_EQ(design.error().message.find('\n'), std::string::npos);
+    expect_refused(read(bytes, name), ErrorCode::kBadInput, name, why);
   }
   TemporaryFolder folder_;
 };

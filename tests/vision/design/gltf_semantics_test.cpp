@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 #include "tests/vision/design/gltf_text.h"
 #include "vision/design/design_reader.h"
 
@@ -25,7 +26,8 @@ class GltfSemantics : public testing::Test {
                    R"(}, {"mesh": 0, "name": "b", "extras": {"spoolsight": {"ports": [
         {"name": "in", "position": [0, 0, 0], "direction": [0, 0, -1]}]}}}])";
     pieces.scenes = R"([{"nodes": [0, 1], "extras": )" + scene_extras + "}]";
-    Result<DesignModel> design = read_design(write(folder_.path(), "design.glb", pieces.glb()));
+    Result<DesignModel> design =
+        read_design(write_file(folder_.path() / "design.glb", pieces.glb()));
     EXPECT_TRUE(design.has_value()) << (design ? "" : design.error().message);
     return design ? std::move(*design) : DesignModel{};
   }

@@ -4,7 +4,6 @@
 #include "tests/vision/design/gltf_text.h"
 
 #include <cstring>
-#include <fstream>
 
 namespace spool::test {
 namespace {
@@ -31,14 +30,6 @@ std::string glb(std::string json, std::string bin) {
     body += word(static_cast<std::uint32_t>(bin.size())) + std::string("BIN\0", 4) + bin;
   }
   return "glTF" + word(2) + word(static_cast<std::uint32_t>(body.size() + 12)) + body;
-}
-
-std::filesystem::path write(const std::filesystem::path& folder, const std::string& name,
-                            std::string_view bytes) {
-  const std::filesystem::path path = folder / name;
-  std::ofstream(path, std::ios::binary)
-      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return path;
 }
 
 Pieces::Pieces()

@@ -5,9 +5,7 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace spool::test {
@@ -18,10 +16,6 @@ namespace spool::test {
 // Numbers as little-endian bytes.
 [[nodiscard]] std::string floats(const std::vector<float>& values);
 [[nodiscard]] std::string shorts(const std::vector<std::uint16_t>& values);
-
-// Writes a file into a folder and returns its path.
-std::filesystem::path write(const std::filesystem::path& folder, const std::string& name,
-                            std::string_view bytes);
 
 // The pieces of a one-mesh file: a tetrahedron of unit legs as 4 points and 12 indices. A test
 // replaces the piece that it is about.

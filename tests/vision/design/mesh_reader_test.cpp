@@ -9,7 +9,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 #include "tests/vision/design/gltf_text.h"
 #include "vision/design/design_reader.h"
 #include "vision/design/polygon.h"
@@ -22,15 +24,11 @@ class MeshReader : public testing::Test {
  protected:
   Result<DesignModel> read(const std::string& name, const std::string& bytes,
                            std::optional<LengthUnit> unit = LengthUnit::kMetre) {
-    return read_design(write(folder_.path(), name, bytes), unit);
+    return read_design(write_file(folder_.path() / name, bytes), unit);
   }
   void refused(const std::string& name, const std::string& bytes, const std::string& why,
                std::optional<LengthUnit> unit = LengthUnit::kMetre) {
-    const Result<DesignModel> design = read(name, bytes, unit);
-    ASSERT_FALSE(design.has_value()) << why;
-    EXPECT_EQ(design.error().code, ErrorCode::kBadInput);
-    EXPECT_NE(design.error().message.find(name), std::string::npos) << design.error().message;
-    EXPECT_NE(design.error().message.find(why), std::string::npos) << design.error().message;
+    expect_refused(read(name, bytes, unit), ErrorCode::kBadInput, name, why);
   }
   TemporaryFolder folder_;
 };

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include "tests/support/refusal.h"
 #include "tests/vision/scan/cloud_samples.h"
 #include "vision/scan/cloud_file.h"
 #include "vision/scan/lzf.h"
@@ -158,15 +159,12 @@ std::vector<Refusal> refusals() {
 TEST(CloudRefusal, SaysWhatIsWrongInOneSentenceThatNamesTheFile) {
   for (const Refusal& refusal : refusals()) {
     const std::string path = std::string("cloud") + refusal.ending;
+    SCOPED_TRACE(path + ": " + refusal.name);
     const auto file = read_cloud_bytes(refusal.bytes, path, LengthUnit::kMetre);
-    ASSERT_FALSE(file) << refusal.ending << ' ' << refusal.name;
-    EXPECT_EQ(file.error().code, ErrorCode::kBadInput) << refusal.name;
+    test::expect_refused(file, ErrorCode::kBadInput, path + ": ", refusal.text);
+    if (file) continue;
     EXPECT_TRUE(file.error().message.starts_with(path)) << file.error().message;
-    EXPECT_NE(file.error().message.find(refusal.text), std::string::npos)
-        << refusal.ending << ' ' << refusal.name << ": " << file.error().message;
-    EXPECT_EQ(file.error().message.find('\n'), std::string::npos) << refusal.name;
-    EXPECT_NE(file.error().message.find(';'), std::string::npos)
-        << refusal.name << " says what to do";
+    EXPECT_NE(file.error().message.find(';'), std::string::npos) << "says what to do";
   }
 }
 

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <limits>
+
+#include "tests/support/write_file.h"
 
 namespace spool::test {
 namespace {
@@ -186,10 +187,7 @@ std::vector<CloudSample> cloud_samples() {
 
 std::filesystem::path write_sample(const std::filesystem::path& folder, const std::string& ending,
                                    const std::string& bytes) {
-  const std::filesystem::path path = folder / ("cloud" + ending);
-  std::ofstream(path, std::ios::binary)
-      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return path;
+  return write_file(folder / ("cloud" + ending), bytes);
 }
 
 }  // namespace spool::test
