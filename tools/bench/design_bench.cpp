@@ -10,9 +10,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include "vision/core/parallel.h"
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
-#include "vision/core/parallel.h"
 #include "vision/inspect/deviation.h"
 
 namespace spool {
@@ -107,7 +107,12 @@ void raw_before(benchmark::State& state) {
     benchmark::DoNotOptimize(deviation.data());
   }
 }
-BENCHMARK(raw_before)->Arg(1)->Arg(0)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(raw_before)
+    ->Arg(1)
+    ->Arg(0)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void surface_over_100k_triangles(benchmark::State& state) {
   const DesignModel design = ring_design();
