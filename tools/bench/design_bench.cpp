@@ -10,7 +10,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include "vision/core/parallel.h"
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
 #include "vision/inspect/deviation.h"
@@ -86,28 +85,6 @@ void deviation_of_300k_readings(benchmark::State& state) {
 }
 BENCHMARK(deviation_of_300k_readings)
     ->ArgName("image_order")
-    ->Arg(1)
-    ->Arg(0)
-    ->Unit(benchmark::kMillisecond)
-    ->MeasureProcessCPUTime()
-    ->UseRealTime();
-
-void raw_before(benchmark::State& state) {
-  const DesignModel design = ring_design();
-  const Result<DesignSurface> surface = DesignSurface::build(design);
-  const std::vector<Eigen::Vector3f> points = readings(state.range(0) != 0);
-  std::vector<float> deviation(points.size());
-  for (auto _ : state) {
-    parallel_chunks(points.size(), 2048, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const auto found = surface->closest(points[i], 0.02F);
-        deviation[i] = found ? found->distance : std::nanf("");
-      }
-    });
-    benchmark::DoNotOptimize(deviation.data());
-  }
-}
-BENCHMARK(raw_before)
     ->Arg(1)
     ->Arg(0)
     ->Unit(benchmark::kMillisecond)
