@@ -30,7 +30,6 @@ TEST(Scene, RefusesWhatItDoesNotUnderstandByKey) {
       {R"("sensor": {"depth_unit_m": 0.0005})", "sensor.depth_unit_m"},
       {R"("unplug": [{"at_s": -1}])", "unplug[0].at_s"},
       {R"("as_built": [{"translation_m": [0, 0, 1]}])", "as_built[0].part"},
-      {R"("design": "no_such.glb")", "no_such.glb"},
       {R"("T_map_design": [1, 2, 3])", "T_map_design"},
       {"", "the scene is empty"},
   };
@@ -38,6 +37,9 @@ TEST(Scene, RefusesWhatItDoesNotUnderstandByKey) {
     SCOPED_TRACE(one.json);
     test::expect_refused(open_scene(one.json), ErrorCode::kBadInput, "scene", one.says);
   }
+  // Here the file at fault is the design.
+  test::expect_refused(open_scene(R"("design": "no_such.glb")"), ErrorCode::kBadInput,
+                       "no_such.glb", "cannot be opened");
 }
 
 TEST(Scene, OfTheSampleOpensAndShowsTheSpool) {
