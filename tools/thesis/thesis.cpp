@@ -63,6 +63,10 @@ int main(int argc, char** argv) {
   app.add_option("--min-support", bench.finder.min_support, "lambda_s of Table 4-2")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
+  app.add_option("--near-over-leaf", bench.finder.near_over_leaf,
+                 "What supports a pose: model points within so many octree leaves of the scene")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   app.add_option("--scenes", bench.effectiveness_scenes, "Scenes of tables 4-11 and 4-12 each")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
