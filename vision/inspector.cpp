@@ -80,20 +80,23 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.declutter = std::move(explanation.declutter);
     inspection.deviations = std::move(explanation.deviations);
     inspection.pieces = std::move(explanation.pieces);
-  } else {
+  } else if (!watch.cancelled()) {
     inspection.declutter = nothing_kept(scan.size(), options.declutter);
     inspection.deviations = no_deviations(scan.size());
   }
   clock.mark("declutter");
-  inspection.scan_rms_m = rms(inspection.deviations);
   // What that says of each part.
-  const std::vector<PartDeviation> parts =
-      summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
-                      inspection.deviations, design_->samples, watch);
+  std::vector<PartDeviation> parts(design.parts.size());
+  if (!watch.cancelled())
+    parts = summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
+                            inspection.deviations, design_->samples, watch);
   if (watch.cancelled()) {  // half an inspection says nothing
     mark_stopped(inspection.alignment);
+    inspection.declutter = nothing_kept(scan.size(), options.declutter);
+    inspection.deviations = {};
     inspection.pieces.clear();
   }
+  inspection.scan_rms_m = rms(inspection.deviations);
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/cancelling.h"
 #include "tests/vision/align/synthetic_spool.h"
 #include "tests/vision/scene.h"
 
@@ -268,6 +269,33 @@ TEST(Inspector, AStopIsAnAnswerToo) {
   ASSERT_TRUE(found);
   EXPECT_FALSE(found->alignment.found);
   EXPECT_EQ(found->alignment.reason, "The inspection was stopped before it was done.");
+}
+
+// Stopped at any stage, it says that it was, and of the parts that nothing was measured.
+TEST(Inspector, AStopInTheMiddleSaysNothingOfTheParts) {
+  std::mt19937 random{12};
+  const PointCloud scan = cluttered_scan(Pose::Identity(), random);
+  const Inspector inspector(tee_design());
+  const InspectorOptions options{.align = AlignMethod::kPose, .T_design_scan = Pose::Identity()};
+  const double whole_s =
+      test::seconds_of([&] { EXPECT_TRUE(inspector.process(scan, kNoise, options)); });
+  int stopped = 0;
+  for (const double share : {0.1, 0.3, 0.5, 0.7}) {
+    SCOPED_TRACE(share);
+    Inspection found;
+    const auto obeyed_s = test::seconds_until_obeyed(share * whole_s, [&](const Watch& watch) {
+      found = *inspector.process(scan, kNoise, options, watch);
+    });
+    if (!obeyed_s || found.alignment.found) continue;  // it had ended, or all but
+    ++stopped;
+    EXPECT_NE(found.alignment.reason.find("stopped"), std::string::npos);
+    EXPECT_EQ(found.declutter.clutter, scan.size());
+    EXPECT_TRUE(found.deviations.distance_m.empty());
+    ASSERT_EQ(found.parts.size(), 5U);
+    for (const PartFinding& part : found.parts) EXPECT_EQ(part.status, Verdict::kNotMeasured);
+    EXPECT_EQ(found.status, Verdict::kNotMeasured);
+  }
+  EXPECT_GE(stopped, 3);
 }
 
 TEST(Inspector, AGuessedUnitIsAFinding) {

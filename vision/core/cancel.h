@@ -8,6 +8,7 @@
 #include <functional>
 #include <stop_token>
 #include <string_view>
+#include <vector>
 
 namespace spool {
 
@@ -34,6 +35,19 @@ bool watched_loop(std::size_t count, const Watch& watch, const Body& body) {
     for (std::size_t i = begin; i < end; ++i) body(i);
   }
   return true;
+}
+
+// Fills an empty vector with `count` times `value`. False, and empty again, where it was cancelled
+// on the way: of millions of elements the first touch of their memory alone takes a second.
+template <class T>
+bool watched_fill(std::vector<T>& to, std::size_t count, const T& value, const Watch& watch) {
+  constexpr std::size_t kBetweenLooks = 65536;
+  to.reserve(count);
+  while (to.size() < count && !watch.cancelled())
+    to.resize(std::min(count, to.size() + kBetweenLooks), value);
+  if (to.size() == count) return true;
+  to = {};
+  return false;
 }
 
 }  // namespace spool

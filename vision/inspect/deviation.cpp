@@ -37,6 +37,14 @@ double vouching_radius(const PointIndex& object, const std::vector<Eigen::Vector
   return std::max(sample_radius, std::min<double>(double{*middle}, 5 * sample_radius));
 }
 
+// False where it was cancelled on the way.
+bool fill_with_none(std::size_t count, const Watch& watch, Deviations& deviations) {
+  return watched_fill(deviations.distance_m, count, std::numeric_limits<float>::quiet_NaN(),
+                      watch) &&
+         watched_fill(deviations.part, count, -1, watch) &&
+         watched_fill(deviations.normal, count, Eigen::Vector3f(Eigen::Vector3f::Zero()), watch);
+}
+
 void add_coverage(const CloudView& scan, const Deviations& deviations,
                   const SurfaceSamples& samples, const Watch& watch,
                   std::vector<PartDeviation>& parts) {
@@ -85,9 +93,7 @@ void add_coverage(const CloudView& scan, const Deviations& deviations,
 
 Deviations no_deviations(std::size_t scan_points) {
   Deviations deviations;
-  deviations.distance_m.assign(scan_points, std::numeric_limits<float>::quiet_NaN());
-  deviations.part.assign(scan_points, -1);
-  deviations.normal.assign(scan_points, Eigen::Vector3f::Zero());
+  fill_with_none(scan_points, {}, deviations);
   return deviations;
 }
 
@@ -95,19 +101,20 @@ Deviations measure_deviations(const CloudView& scan_design, std::span<PointClass
                               const DesignSurface& surface, float max_distance,
                               const Watch& watch) {
   assert(classes.size() == scan_design.size() && "a class for every point");
-  Deviations deviations = no_deviations(scan_design.size());
+  Deviations deviations;
   std::vector<std::uint32_t> kept;
   kept.reserve(scan_design.size());
-  const bool gathered = watched_loop(scan_design.size(), watch, [&](std::size_t i) {
-    if (classes[i] == PointClass::kClutter) return;
-    if (scan_design.points[i].allFinite())
-      kept.push_back(static_cast<std::uint32_t>(i));
-    else
-      classes[i] = PointClass::kClutter;
-  });
-  if (!gathered) {
+  const bool prepared = fill_with_none(scan_design.size(), watch, deviations) &&
+                        watched_loop(scan_design.size(), watch, [&](std::size_t i) {
+                          if (classes[i] == PointClass::kClutter) return;
+                          if (scan_design.points[i].allFinite())
+                            kept.push_back(static_cast<std::uint32_t>(i));
+                          else
+                            classes[i] = PointClass::kClutter;
+                        });
+  if (!prepared) {
     std::fill(classes.begin(), classes.end(), PointClass::kClutter);
-    return deviations;
+    return {};
   }
   // Each answer is the same in any order; in this one a search finds its triangles in the cache.
   put_in_spatial_order(scan_design.points, kept, watch);

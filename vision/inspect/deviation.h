@@ -27,7 +27,8 @@ struct Deviations {
 [[nodiscard]] Deviations no_deviations(std::size_t scan_points);
 
 // Points in the design frame; those further than `max_distance` (m) count as clutter: their class
-// is changed. So do those that a cancelled run did not come to.
+// is changed. So do those that a cancelled run did not come to; there may be no entries at all
+// then.
 [[nodiscard]] Deviations measure_deviations(const CloudView& scan_design,
                                             std::span<PointClass> classes,
                                             const DesignSurface& surface, float max_distance,

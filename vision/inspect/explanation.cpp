@@ -111,6 +111,7 @@ Explanation explain_scan(const ExplainedDesign& design, const PointCloud& scan_d
   classes.assign(scan_design.size(), PointClass::kObject);
   explanation.deviations =
       measure_deviations(scan_design, classes, design.surface, deviation_bound(noise_m), watch);
+  if (watch.cancelled()) return explanation;
   classify_by_surface(scan_design, explanation.deviations, planes,
                       {.noise_m = noise_m, .oriented_normals = oriented_normals}, classes, watch);
   forget_clutter(classes, explanation.deviations);

@@ -31,7 +31,8 @@ struct Explanation {
 
 // `scan_design`: every scan point, m, design frame, NaN allowed. `noise_m`: of a point.
 // `oriented_normals`: its normals, if any, point to the sensor. Thesis methods: the K nearest scan
-// points of every model point are the object, nothing contradicts.
+// points of every model point are the object, nothing contradicts. Of a cancelled run it says
+// nothing.
 [[nodiscard]] Explanation explain_scan(const ExplainedDesign& design, const PointCloud& scan_design,
                                        double noise_m, bool oriented_normals,
                                        const DeclutterOptions& options, const Watch& watch = {});

@@ -66,7 +66,7 @@ struct Inspection {
   DeclutterResult declutter;
   PointCloud scan_design;  // every input point in input order, in the design frame (design origin
                            // taken off)
-  Deviations deviations;   // one entry a point of scan_design
+  Deviations deviations;   // one entry a point of scan_design; none of a stopped inspection
   std::vector<Piece> pieces;       // of the spool that are there, but elsewhere
   std::vector<PartFinding> parts;  // in the design's order
   std::vector<Finding> findings;

@@ -143,7 +143,13 @@ bool PointIndex::Impl::build(std::span<const Eigen::Vector3f> points, const Watc
   constexpr std::size_t kLeafPoints = 10;  // fastest queries of those tried
   cloud.watch = &watch;
   try {
-    tree = std::make_unique<Tree>(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(kLeafPoints));
+    using nanoflann::KDTreeSingleIndexAdaptorFlags;
+    tree = std::make_unique<Tree>(
+        3, cloud,
+        nanoflann::KDTreeSingleIndexAdaptorParams(
+            kLeafPoints, KDTreeSingleIndexAdaptorFlags::SkipInitialBuildIndex));
+    if (!watched_fill(tree->vAcc, cloud.points.size(), 0U, watch)) return false;
+    tree->buildIndex();
   } catch (const Cancelled&) {
     return false;
   }

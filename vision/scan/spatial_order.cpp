@@ -4,6 +4,7 @@
 #include "vision/scan/spatial_order.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 #include <Eigen/Geometry>
@@ -47,10 +48,13 @@ void put_in_spatial_order(std::span<const Eigen::Vector3f> points,
 
   std::vector<std::uint32_t> spread_bits(kCells);
   for (std::uint32_t i = 0; i < kCells; ++i) spread_bits[i] = spread(i);
-  std::vector<std::uint32_t> key(places.size());
+  // Not cleared first: of millions that alone would take longer than a cancel may.
+  const auto key = std::make_unique_for_overwrite<std::uint32_t[]>(places.size());
+  const auto ordered = std::make_unique_for_overwrite<std::uint32_t[]>(places.size());
   parallel_chunks(places.size(), 4096, [&](std::size_t begin, std::size_t end) {
     if (watch.cancelled()) return;
     for (std::size_t i = begin; i < end; ++i) {
+      key[i] = 0;
       const Eigen::Vector3f at = (points[places[i]] - box.min()) / cell_m;
       for (int axis = 0; axis < 3; ++axis) {
         const auto cell = std::min(static_cast<std::uint32_t>(at[axis]), kCells - 1);
@@ -60,13 +64,12 @@ void put_in_spatial_order(std::span<const Eigen::Vector3f> points,
   });
   // A counting sort: few cells, and the given order stays inside each.
   std::vector<std::uint32_t> next(kCells * kCells * kCells + 1, 0);
-  if (!watched_loop(key.size(), watch, [&](std::size_t i) { ++next[key[i] + 1]; })) return;
+  if (!watched_loop(places.size(), watch, [&](std::size_t i) { ++next[key[i] + 1]; })) return;
   std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<std::uint32_t> ordered(places.size());
   if (!watched_loop(places.size(), watch,
                     [&](std::size_t i) { ordered[next[key[i]]++] = places[i]; }))
     return;
-  places = std::move(ordered);
+  std::copy_n(ordered.get(), places.size(), places.begin());
 }
 
 }  // namespace spool
