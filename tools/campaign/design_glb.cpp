@@ -19,25 +19,8 @@ static_assert(std::endian::native == std::endian::little, "the file is little-en
 
 json numbers(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-const char* kind_word(PartKind kind) {
-  switch (kind) {
-    case PartKind::kPipe:
-      return "pipe";
-    case PartKind::kElbow:
-      return "elbow";
-    case PartKind::kTee:
-      return "tee";
-    case PartKind::kReducer:
-      return "reducer";
-    case PartKind::kFlange:
-      return "flange";
-    case PartKind::kCap:
-      return "cap";
-    case PartKind::kTube:
-      return "structure";
-  }
-  return "other";
-}
+// As glTF designs spell it (ARCHITECTURE, Files).
+const char* kind_word(PartKind kind) { return kind == PartKind::kTube ? "structure" : word(kind); }
 
 json semantics(const PartSpec& spec, std::size_t order, const std::string& spool) {
   json s = {{"kind", kind_word(spec.kind)}, {"order", order}, {"spool", spool}};

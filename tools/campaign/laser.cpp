@@ -210,6 +210,7 @@ bool Scanner::collect(const Surfaces& surfaces, double crop, double area, std::s
 // hidden corners leave some short.
 void fill(const Scanner& scanner, const Surfaces& surfaces, double crop, double area,
           std::size_t target, std::vector<SensedPoint>& points) {
+  if (!(area > 0)) return;  // nothing of it is seen
   const double spacing_m = spacing_for(static_cast<double>(target) / area);
   const std::uint64_t stream = surfaces.of_object() ? 1 : 100;
   for (int round = 0; round < 12; ++round) {
@@ -240,7 +241,7 @@ std::vector<SensedPoint> scan_with_laser(const RayWorld& world, const LaserSetti
     scanner.T_scan_station.push_back(pose);
   }
   std::vector<SensedPoint> points;
-  double density = 0;
+  double density = targets.density;
   if (targets.object > 0) {
     const Surfaces surfaces(world, true);
     const double area = survey(world, surfaces, settings.stations, object, seed + 1).area;

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/campaign/part.h"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -178,6 +179,11 @@ std::vector<Patch> tube(const PartSpec& spec) {
 }
 
 }  // namespace
+
+const char* word(PartKind kind) {
+  constexpr std::array kWords = {"pipe", "elbow", "tee", "reducer", "flange", "cap", "tube"};
+  return kWords[static_cast<std::size_t>(kind)];
+}
 
 double bend_radius(const PartSpec& elbow) {
   const StandardSizes& s = sizes_of(elbow.nps);

@@ -12,6 +12,7 @@
 namespace spool::campaign {
 
 enum class PartKind { kPipe, kElbow, kTee, kReducer, kFlange, kCap, kTube };
+[[nodiscard]] const char* word(PartKind kind);  // pipe, elbow, ...
 
 // A pipe, reducer, cap or tube runs from z = 0 upwards; an elbow leaves z = 0 upwards and bends to
 // x; a tee's run is as a pipe, its branch looks to x; a flange's face lies in z = 0 and looks down.

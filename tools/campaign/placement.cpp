@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "tools/campaign/labels.h"
@@ -17,8 +18,8 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 }  // namespace
 
-Pose laid_down(const Assembly& as_built, double height, bool level, Random& random) {
-  const Eigen::AlignedBox3d box = bounds_of(as_built);
+Pose laid_down(const Assembly& assembly, double height, bool level, Random& random) {
+  const Eigen::AlignedBox3d box = bounds_of(assembly);
   int down = 0;
   box.sizes().minCoeff(&down);
   if (random.chance(0.4)) down = random.below(3);
@@ -29,18 +30,24 @@ Pose laid_down(const Assembly& as_built, double height, bool level, Random& rand
   if (!level) pose.prerotate(Eigen::AngleAxisd(0.05 * random.uniform(), lean.stableNormalized()));
   pose.prerotate(Eigen::AngleAxisd(random.uniform(0, kTurn), Vector3d::UnitZ()));
   // The lowest of the surface comes to lie at `height`, the box's middle over the origin.
-  const std::vector<Pose> poses = poses_of(as_built);
-  double lowest = 1e9;
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    for (const Patch& patch : patches_of(as_built.members[i].spec)) {
+  const Vector3d middle = pose * box.center();
+  pose.pretranslate(Vector3d(-middle.x(), -middle.y(), height - lowest_of(assembly, pose)));
+  return pose;
+}
+
+double lowest_of(const Assembly& assembly, const Pose& T_scan_design) {
+  const std::vector<Pose> poses = poses_of(assembly);
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (assembly.members[i].missing) continue;
+    for (const Patch& patch : patches_of(assembly.members[i].spec)) {
       Random samples(i, 77);
-      const Pose T = pose * poses[i] * patch.T_part_patch;
+      const Pose T = T_scan_design * poses[i] * patch.T_part_patch;
       for (int k = 0; k < 200; ++k)
         if (const auto point = sample(patch, samples)) lowest = std::min(lowest, (T * *point).z());
     }
-  const Vector3d middle = pose * box.center();
-  pose.pretranslate(Vector3d(-middle.x(), -middle.y(), height - lowest));
-  return pose;
+  }
+  return lowest;
 }
 
 void add_stands(const std::vector<Placed>& object, Random& random, Room& room) {

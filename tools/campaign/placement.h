@@ -7,9 +7,12 @@
 
 namespace spool::campaign {
 
-// The pose in which `as_built` lies on z = `height` round the origin: one side of its box down (of
+// The pose in which an assembly lies on z = `height` round the origin: one side of its box down (of
 // a flat thing mostly the flat one), up to 3 degrees off level unless it is a frame on the floor.
-[[nodiscard]] Pose laid_down(const Assembly& as_built, double height, bool level, Random& random);
+[[nodiscard]] Pose laid_down(const Assembly& assembly, double height, bool level, Random& random);
+
+// The lowest height (m) of an assembly that stands at `T_scan_design`.
+[[nodiscard]] double lowest_of(const Assembly& assembly, const Pose& T_scan_design);
 
 // Up to three stands from the floor to the underside of the object, as far apart as may be.
 void add_stands(const std::vector<Placed>& object, Random& random, Room& room);

@@ -49,7 +49,8 @@ Eigen::AlignedBox3d box_of(const Boxes& boxes, std::size_t first) {
   return box;
 }
 
-// Where the design stands is drawn for the design as drawn, so that defects do not move the datum.
+// Where the object stands is drawn for the design as drawn, so that a defect does not move the
+// datum; but what would reach through floor or table lifts it.
 Stage place_objects(const SceneRequest& request, Scene& scene) {
   Stage stage;
   Random random(request.seed, kPlacing);
@@ -62,6 +63,8 @@ Stage place_objects(const SceneRequest& request, Scene& scene) {
     const double stands = random.chance(0.8) ? random.uniform(0.45, 0.8) : 0.02;
     const double height = frame ? 0.001 : small ? table + 0.002 : stands;
     Instance instance{laid_down(scene.design, height, frame, random)};
+    const double through = height - lowest_of(scene.as_built, instance.T_scan_design);
+    if (through > 0) instance.T_scan_design.pretranslate(Vector3d(0, 0, through));
     Room alone;
     instance.T_scan_part = moved(instance.T_scan_design, poses_of(scene.as_built));
     add_assembly(scene.as_built, instance.T_scan_part, 0, true, static_cast<std::uint8_t>(copy),
@@ -91,32 +94,27 @@ Stage place_objects(const SceneRequest& request, Scene& scene) {
     }
     scene.objects.push_back(instance);
   }
-  if (request.copies > 0) return stage;
-  // Where the object would have stood there is nothing; its place decides where the sensor looks.
-  scene.objects.clear();
-  std::erase_if(stage.room.placed, [](const Placed& each) { return each.instance != kNoInstance; });
   return stage;
 }
 
-PointTargets targets_of(const SceneRequest& request) {
+// `area` (m2) is what could be seen of the object.
+PointTargets targets_of(const SceneRequest& request, double area) {
   const double scene = request.density_ratio > 0
                            ? request.density_ratio * static_cast<double>(kModelPoints)
                            : static_cast<double>(request.scene_points);
-  if (request.copies == 0) return {0, static_cast<std::size_t>(std::lround(scene))};
   // The ratios hold for what is left after the removal.
   const double left = scene / (1 + request.clutter_ratio);
+  // Without the object the scene is cropped where it would be with it.
+  if (request.copies == 0) return {0, static_cast<std::size_t>(std::lround(scene)), left / area};
   return {static_cast<std::size_t>(std::lround(left / request.completeness)),
           static_cast<std::size_t>(std::lround(scene - left))};
 }
 
-void furnish(const SceneRequest& request, const std::vector<Vector3d>& stations, Stage& stage,
-             const Assembly& design) {
-  // At one spacing for all, clutter needs its ratio of the area that is seen of the object. A third
-  // of it is the floor's; the room is as large as the rest needs.
-  const bool absent = request.copies == 0;
-  const double object_area =
-      absent ? 2.0 : seen_object_area(RayWorld(stage.room.placed), stations, request.seed);
-  const double needed = std::clamp(absent ? 60.0 : request.clutter_ratio * object_area, 2.0, 600.0);
+// Fills the room round what stands there already; `area` (m2) is what can be seen of the object.
+void furnish(const SceneRequest& request, double area, const Assembly& design, Stage& stage) {
+  // At one spacing for all, clutter needs its ratio of that area. A part of it is the floor's; the
+  // room is as large as the rest needs.
+  const double needed = std::clamp(request.clutter_ratio * area, 2.0, 600.0);
   const double half = 0.5 * std::sqrt(0.6 * needed);
   const Vector3d reach = stage.object.min().cwiseAbs().cwiseMax(stage.object.max().cwiseAbs());
   stage.room.half_x = std::max({stage.room.half_x, half, reach.x() + 1.5});
@@ -138,13 +136,10 @@ void furnish(const SceneRequest& request, const std::vector<Vector3d>& stations,
 }
 
 std::vector<SensedPoint> sense(const SceneRequest& request, const RayWorld& world,
-                               const Eigen::AlignedBox3d& object, Scene& scene) {
-  const PointTargets targets = targets_of(request);
+                               const PointTargets& targets, const Eigen::AlignedBox3d& object,
+                               const Scene& scene) {
   if (request.sensor == SensorKind::kHandheld) {
-    HandheldSettings handheld;
-    handheld.frames = request.frames;
-    scene.T_scan_camera = walk_round(world, handheld, object, request.seed);
-    const auto points = scan_by_hand(world, handheld, scene.T_scan_camera, request.seed);
+    const auto points = scan_by_hand(world, {}, scene.T_scan_camera, request.seed);
     return thinned_to(points, targets, object, Random(request.seed, kThinning));
   }
   LaserSettings laser;
@@ -170,9 +165,21 @@ Scene make_scene(const SceneRequest& request) {
   Stage stage = place_objects(request, scene);
   Random random(request.seed, kStations);
   scene.station_positions = stations_round(stage.object, request.stations, random, stage.room);
-  furnish(request, scene.station_positions, stage, scene.design);
+  const double area =
+      seen_object_area(RayWorld(stage.room.placed), scene.station_positions, request.seed);
+  furnish(request, area, scene.design, stage);
+  if (request.sensor == SensorKind::kHandheld)
+    scene.T_scan_camera = walk_round(RayWorld(stage.room.placed), {.frames = request.frames},
+                                     stage.object, request.seed);
+  if (request.copies == 0) {
+    // Where the object would have stood there is nothing; all else is as with it.
+    scene.objects.clear();
+    std::erase_if(stage.room.placed,
+                  [](const Placed& each) { return each.instance != kNoInstance; });
+  }
   const RayWorld world(std::move(stage.room.placed));
-  std::vector<SensedPoint> points = sense(request, world, stage.object, scene);
+  std::vector<SensedPoint> points =
+      sense(request, world, targets_of(request, area), stage.object, scene);
   scene.completeness =
       remove_pieces(scene, request.completeness, Random(request.seed, kRemoving), points);
   shuffle(points, Random(request.seed, kShuffling));

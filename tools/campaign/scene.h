@@ -72,7 +72,8 @@ struct Scene {
 };
 
 // The same scene for the same request, whatever the number of threads. Scenes that differ in
-// clutter, density, completeness or defects alone show the same object in the same place.
+// density, completeness, noise, or in whether the object is there show the same room; the object
+// stands in the same place with defects too, unless they would reach through the floor.
 [[nodiscard]] Scene make_scene(const SceneRequest& request);
 
 }  // namespace spool::campaign

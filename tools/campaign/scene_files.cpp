@@ -36,6 +36,25 @@ json error_of(const Pose& motion) {
           {"r_norm_deg", degrees.norm()}};
 }
 
+json ports(const PartSpec& spec, const Pose& T_design_part) {
+  json all = json::object();
+  for (const PartPort& port : ports_of(spec)) {
+    const Pose pose = T_design_part * port.T_part_port;
+    all[std::string(port.name)] = {{"position", numbers(pose.translation())},
+                                   {"direction", numbers(pose.linear().col(2))}};
+  }
+  return all;
+}
+
+// How a part stands on the part that it should hang on: its own frame seen from that part's port.
+Pose on_its_joint(const Member& planned, const Assembly& assembly, const std::vector<Pose>& poses,
+                  std::size_t part) {
+  const auto parent = static_cast<std::size_t>(planned.parent);
+  const auto from = ports_of(assembly.members[parent].spec);
+  const auto port = static_cast<std::size_t>(planned.parent_port);
+  return (poses[parent] * from[port].T_part_port).inverse() * poses[part];
+}
+
 json components(const Scene& scene) {
   const std::vector<Pose> design = poses_of(scene.design);
   const std::vector<Pose> built = poses_of(scene.as_built);
@@ -44,15 +63,24 @@ json components(const Scene& scene) {
     const Member& member = scene.as_built.members[i];
     json component = {{"label", i},
                       {"name", member.spec.name},
+                      {"kind", word(member.spec.kind)},
                       {"nps", member.spec.nps},
                       {"missing", member.missing},
                       {"extra", i >= design.size()},
-                      {"pose_asbuilt", rows(built[i])}};
+                      {"pose_asbuilt", rows(built[i])},
+                      {"ports_asbuilt", ports(member.spec, built[i])}};
     if (i < design.size()) {
-      const double longer = member.spec.length_m - scene.design.members[i].spec.length_m;
+      const Member& planned = scene.design.members[i];
       component["pose_design"] = rows(design[i]);
+      component["ports_design"] = ports(planned.spec, design[i]);
       component["error_root"] = error_of(design[i].inverse() * built[i]);
-      component["length_error_mm"] = 1000 * longer;
+      component["length_error_mm"] = 1000 * (member.spec.length_m - planned.spec.length_m);
+      if (planned.parent >= 0) {
+        component["parent"] =
+            scene.design.members[static_cast<std::size_t>(planned.parent)].spec.name;
+        component["joint"] = error_of(on_its_joint(planned, scene.design, design, i).inverse() *
+                                      on_its_joint(planned, scene.as_built, built, i));
+      }
     }
     all.push_back(component);
   }

@@ -65,8 +65,9 @@ int main(int argc, char** argv) {
   std::vector<std::string> defects;
   bool plain = false;
   bool absent = false;
-  app.add_option("--kind", request.kind, "What stands there")
-      ->transform(CLI::CheckedTransformer(kKinds));
+  app.add_option("--kind", request.kind,
+                 "pipe_spool_3m (the default), small_spool, box_frame, four_branch or random_spool")
+      ->transform(CLI::CheckedTransformer(kKinds).description(""));
   app.add_option("--seed", request.seed, "Every number gives another scene")->capture_default_str();
   app.add_flag("--plain", plain, "A box frame without the members that break its symmetry");
   app.add_flag("--absent", absent, "The object is not there");
@@ -75,8 +76,8 @@ int main(int argc, char** argv) {
   app.add_option("--noise-m", request.noise_m, "Noise along the ray, one standard deviation (m)")
       ->check(CLI::Range(0.0, 0.1))
       ->capture_default_str();
-  app.add_option("--sensor", request.sensor, "Which sensor looks")
-      ->transform(CLI::CheckedTransformer(kSensors));
+  app.add_option("--sensor", request.sensor, "laser (the default) or handheld")
+      ->transform(CLI::CheckedTransformer(kSensors).description(""));
   app.add_option("--frames", request.frames, "Frames of the hand-held sensor")
       ->check(CLI::Range(1, 255))
       ->capture_default_str();

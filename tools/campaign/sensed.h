@@ -20,6 +20,7 @@ struct SensedPoint {
 // How many points of which kind to take, all at one spacing where the clutter allows it.
 struct PointTargets {
   std::size_t object = 0, clutter = 0;
+  double density = 0;  // 1/m2, of a scene without an object to take it from; 0: as it comes
 };
 
 }  // namespace spool::campaign

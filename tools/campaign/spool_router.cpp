@@ -8,15 +8,6 @@
 #include <utility>
 
 namespace spool::campaign {
-namespace {
-
-const char* word(PartKind kind) {
-  constexpr std::array kWords = {"pipe", "elbow", "tee", "reducer", "flange", "cap", "tube"};
-  return kWords[static_cast<std::size_t>(kind)];
-}
-
-}  // namespace
-
 SpoolRouter::SpoolRouter(std::string name, double nps)
     : assembly_{std::move(name), {}}, nps_(nps) {}
 

@@ -184,15 +184,22 @@ TEST(Scene, KeepsTheObjectInItsPlaceWhateverElseIsAskedFor) {
   r.clutter_ratio = 10;
   r.completeness = 0.7;
   r.noise_m = 0.001;
+  EXPECT_TRUE(pose.isApprox(make_scene(r).objects.front().T_scan_design, 1e-12));
   r.defects = {{.kind = DefectKind::kTurned}};
   const Scene other = make_scene(r);
-  EXPECT_TRUE(pose.isApprox(other.objects.front().T_scan_design, 1e-12));
+  // It may have been lifted, so that nothing reaches through the floor.
+  const Pose moved = other.objects.front().T_scan_design * pose.inverse();
+  EXPECT_TRUE(moved.linear().isApprox(Eigen::Matrix3d::Identity(), 1e-12));
+  EXPECT_NEAR(moved.translation().head<2>().norm(), 0, 1e-12);
+  EXPECT_GE(moved.translation().z(), 0);
   EXPECT_EQ(other.request.defects.size(), 1U);
   EXPECT_NE(other.request.defects[0].part, "");
 }
 
 TEST(Scene, CanDoWithoutTheObject) {
   SceneRequest r = request(ObjectKind::kPipeSpool3m);
+  r.clutter_ratio = 8;
+  const Scene with = make_scene(r);
   r.copies = 0;
   const Scene scene = make_scene(r);
   EXPECT_TRUE(scene.objects.empty());
@@ -201,6 +208,22 @@ TEST(Scene, CanDoWithoutTheObject) {
   for (const std::uint16_t label : scene.labels) EXPECT_GE(label, kFloor);
   // Pipes of the spool's own sizes stand there to be mistaken for it.
   EXPECT_GT(std::count(scene.labels.begin(), scene.labels.end(), kOtherPipe), 100);
+  // Nor does it throw a shadow: rays to what is seen now go through where it stood.
+  std::vector<Placed> object;
+  for (std::size_t i = 0; i < with.as_built.members.size(); ++i)
+    for (const Patch& patch : patches_of(with.as_built.members[i].spec))
+      object.push_back({patch, with.objects.front().T_scan_part[i] * patch.T_part_patch, 0, 0});
+  const RayWorld steel(std::move(object));
+  const auto through = [&](const Scene& each) {
+    int count = 0;
+    for (std::size_t i = 0; i < each.cloud.size(); ++i)
+      if (each.labels[i] == kFloor && steel.blocked(each.station_positions[each.stations[i]],
+                                                    each.cloud.points[i].cast<double>()))
+        ++count;
+    return count;
+  };
+  EXPECT_GT(through(scene), 300);
+  EXPECT_LT(through(with), 30);  // noise moves points a little past a shadow's edge
 }
 
 TEST(Scene, CanHoldTwoObjects) {
