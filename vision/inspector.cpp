@@ -8,20 +8,44 @@
 
 #include "vision/core/stage_clock.h"
 #include "vision/design/exterior.h"
+#include "vision/inspect/datum_side.h"
 #include "vision/inspect/explanation.h"
 #include "vision/inspect/judge.h"
+#include "vision/inspect/missing_parts.h"
 #include "vision/inspect/scan_alignment.h"
 #include "vision/inspect/spool_findings.h"
 
 namespace spool {
 namespace {
 
+constexpr int kMostWrongJoints = 3;  // between the largest piece and the datum
 constexpr std::size_t kModelSamples =
     12000;  // as many as the thesis's model had (12 061, Table 5-1)
 
 bool has_finite_point(const PointCloud& scan) {
   return std::any_of(scan.points.begin(), scan.points.end(),
                      [](const Eigen::Vector3f& p) { return p.allFinite(); });
+}
+
+// The placement that the datum's side has, refined by what it holds.
+void take_side(const DatumSide& side, const Alignment& alignment, const DesignModel& design,
+               const PointCloud& scan, Placement& placement) {
+  placement.T_design_scan =
+      side.T_new_old * between_local(alignment.T_design_scan, design.origin, scan.origin);
+  placement.is_held = side.is_held;
+  placement.alternatives.clear();  // they were of the other piece
+}
+
+// A piece that is elsewhere makes no second pose of the whole.
+void drop_pieces(const std::vector<Piece>& pieces, const ExplainedDesign& design,
+                 const PointCloud& scan, Alignment& alignment) {
+  const auto local = [&](const Pose& T) {
+    return between_local(T, design.model.origin, scan.origin);
+  };
+  std::erase_if(alignment.alternatives, [&](const Pose& other) {
+    return is_of_a_piece(local(other), local(alignment.T_design_scan), pieces, design);
+  });
+  alignment.ambiguous = alignment.ambiguous && !alignment.alternatives.empty();
 }
 
 }  // namespace
@@ -58,25 +82,38 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   // Where the picks, the pose or nothing put the scan.
   const AlignRequest request{options.align, options.pairs, options.T_design_scan,
                              design_->finder.get(), options.seed};
-  const Placement placement =
-      place_scan(request, design, scan, typical_noise_m(scan, noise), watch);
+  Placement placement = place_scan(request, design, scan, typical_noise_m(scan, noise), watch);
   const double noise_m = placement.noise_m;
+  const ExplainedDesign prepared{design, *design_->surface, design_->samples};
+  const ExplainedScan explained_scan{inspection.scan_design, noise_m, scan.has_normals()};
+  Explanation explanation;
   clock.mark(options.align == AlignMethod::kFind ? "find" : "place");
-  // What the refinement looks at: points near the design there, with normals.
-  const PointCloud near = refinement_cloud(scan, *design_->surface, placement);
-  clock.mark("normals");
-  // The pose, and how far it can be trusted.
-  inspection.alignment = align_scan(request, placement, near, scan.has_normals(), noise_m, design,
-                                    *design_->surface, design_->samples, watch);
-  clock.mark("align");
+  for (int wrong_joints = 0;; ++wrong_joints) {
+    // What the refinement looks at: points near the design there, with normals.
+    const PointCloud near = refinement_cloud(scan, *design_->surface, placement);
+    clock.mark("normals");
+    // The pose, and how far it can be trusted.
+    inspection.alignment = align_scan(request, placement, near, scan.has_normals(), noise_m, design,
+                                      *design_->surface, design_->samples, watch);
+    clock.mark("align");
+    // Every point in the design frame, in input order.
+    inspection.scan_design = to_design_frame(scan, design, inspection.alignment.T_design_scan);
+    if (!inspection.alignment.found) break;
+    // Which of them are the object, and how far off its surface each lies.
+    explanation = explain_surface(prepared, explained_scan, options.declutter, watch);
+    clock.mark("declutter");
+    // What was found is the largest piece of the spool, but all is measured from the datum.
+    if (options.align != AlignMethod::kFind || wrong_joints == kMostWrongJoints) break;
+    const auto side = datum_side(prepared, explained_scan, explanation, options.declutter, watch);
+    clock.mark("datum");
+    if (!side) break;
+    take_side(*side, inspection.alignment, design, scan, placement);
+  }
   inspection.alignment.seconds = inspection.timing_s["normals"] + inspection.timing_s["align"];
-  // Every point in the design frame, in input order.
-  inspection.scan_design = to_design_frame(scan, design, inspection.alignment.T_design_scan);
-  // Which of them are the object, how far off its surface each lies, and what contradicts it.
   if (inspection.alignment.found) {
-    Explanation explanation =
-        explain_scan({design, *design_->surface, design_->samples}, inspection.scan_design, noise_m,
-                     scan.has_normals(), options.declutter, watch);
+    // What of the spool is elsewhere and contradicts it.
+    explain_pieces(prepared, explained_scan, options.declutter, watch, explanation);
+    drop_pieces(explanation.pieces, prepared, scan, inspection.alignment);
     inspection.declutter = std::move(explanation.declutter);
     inspection.deviations = std::move(explanation.deviations);
     inspection.pieces = std::move(explanation.pieces);
@@ -97,13 +134,15 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.pieces.clear();
   }
   inspection.scan_rms_m = rms(inspection.deviations);
+  const std::vector<int> missing =
+      missing_parts(design, inspection.scan_design, inspection.deviations, design_->samples, parts);
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
   judge_pieces(design, inspection.pieces, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
   if (inspection.alignment.found)
-    for (Finding& finding : spool_findings(design, inspection.pieces, inspection.parts))
+    for (Finding& finding : spool_findings(design, inspection.pieces, missing, inspection.parts))
       inspection.findings.push_back(std::move(finding));
   judge_whole(inspection, judging);
   clock.mark("judge");

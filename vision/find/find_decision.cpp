@@ -4,9 +4,8 @@
 #include "vision/find/find_decision.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
+#include <vector>
 
 #include "vision/find/symmetry.h"
 
@@ -26,12 +25,11 @@ constexpr double kCoverageWithRival = 0.45;
 // count of points that are not independent.
 constexpr double kAlike = 0.02;
 constexpr std::size_t kMostOthers = 8;  // more ways than that is no finding
-// Another pose is of another piece where this share of the best's points is explained by it alone.
-constexpr double kOtherPiece = 0.05;
-constexpr double kLeastOfBest = 0.3;
-// Of a part's points: where a pose explains less of what another explains, the part is elsewhere.
-constexpr double kPartThere = 0.85;
 constexpr std::uint32_t kPartPoints = 10;
+// Two pipes that meet lie about in any shop. Where little of the design shows, it has to be three
+// runs of it, each with so much of what is explained.
+constexpr int kLeastRuns = 3;
+constexpr double kOfRun = 0.05;
 
 bool is_pure(const PoseEvidence& pose) {
   return pose.chance + 3 * std::sqrt(pose.chance) <=
@@ -44,55 +42,15 @@ bool is_as_good(const PoseEvidence& other, const PoseEvidence& best) {
          std::max(kAlike * best.excess(), 3 * std::sqrt(std::max(1.0, 0.05 * best.excess())));
 }
 
-// Explained by `other` and not by `best`.
-std::size_t only_by(const PoseEvidence& other, const PoseEvidence& best) {
-  std::vector<std::uint32_t> only;
-  std::set_difference(other.points.begin(), other.points.end(), best.points.begin(),
-                      best.points.end(), std::back_inserter(only));
-  return only.size();
-}
-
-// Poses that each explain another piece of the scan, the best among them: the spool is not as
-// designed between the pieces.
-std::vector<std::size_t> pieces(const FinderModel& model, const std::vector<PoseEvidence>& poses) {
-  std::vector<std::size_t> some(1, 0);
-  const PoseEvidence& best = poses.front();
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    const PoseEvidence& other = poses[i];
-    if (other.coverage < kLeastCoverage || !is_pure(other) ||
-        other.free_motions > model.free_motions || other.excess() < kLeastOfBest * best.excess())
-      continue;
-    if (static_cast<double>(only_by(other, best)) > kOtherPiece * best.excess()) some.push_back(i);
-  }
-  return some;
-}
-
-// The pose that is meant where there are several pieces: the one that takes the fewest joints to be
-// wrong, else the one that holds the datum, which all else is measured from, else the best.
-std::size_t meant(const FinderModel& model, const std::vector<PoseEvidence>& poses) {
-  const std::vector<std::size_t> some = pieces(model, poses);
-  if (some.size() == 1) return 0;
-  // A part is where a pose has it if the pose explains most of what any explains there.
-  std::vector<std::uint32_t> most(model.parts, 0);
-  for (const std::size_t i : some)
-    for (std::size_t p = 0; p < model.parts; ++p) most[p] = std::max(most[p], poses[i].per_part[p]);
-  const auto is_there = [&](std::size_t pose, int part) {
-    const auto p = static_cast<std::size_t>(part);
-    return most[p] < kPartPoints ||
-           static_cast<double>(poses[pose].per_part[p]) > kPartThere * most[p];
-  };
-  std::size_t meant = 0;
-  std::array<int, 2> least{};
-  for (const std::size_t i : some) {
-    std::array<int, 2> cost{0, 0};
-    for (const auto& [a, b] : model.joints) cost[0] += is_there(i, a) != is_there(i, b) ? 1 : 0;
-    for (const int part : model.datums) cost[1] += is_there(i, part) ? 0 : 1;
-    if (i == 0 || cost < least) {
-      least = cost;
-      meant = i;
-    }
-  }
-  return meant;
+// Runs of the design with points on them.
+int runs_in_sight(const FinderModel& model, const PoseEvidence& pose) {
+  std::vector<double> on(static_cast<std::size_t>(model.runs.count), 0);
+  for (std::size_t p = 0; p < model.runs.of_part.size() && p < pose.per_part.size(); ++p)
+    if (model.runs.of_part[p] >= 0)
+      on[static_cast<std::size_t>(model.runs.of_part[p])] += pose.per_part[p];
+  const double least = std::max(double{kPartPoints}, kOfRun * static_cast<double>(pose.explained));
+  return static_cast<int>(
+      std::count_if(on.begin(), on.end(), [&](double points) { return points >= least; }));
 }
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
@@ -120,11 +78,17 @@ FindDecision decide(const FinderModel& model, const std::vector<PoseEvidence>& p
         "single pipe does not; scan an end, a branch or a flange as well, or pick three pairs.";
     return decision;
   }
-  decision.best = meant(model, poses);
+  if (best.coverage < kCoverageWithRival &&
+      runs_in_sight(model, best) < std::min(kLeastRuns, model.runs.count)) {
+    decision.reason =
+        "The design was not found in the scan: what fits best is no more than two pipes that meet, "
+        "as many do; scan more of the spool, or pick three pairs.";
+    return decision;
+  }
   // Elsewhere, or only turned by a symmetry: that is the same place, seen in another way.
   double rival = 0;
   std::size_t elsewhere = 0;
-  for (std::size_t i = 1; i < poses.size() && decision.best == 0; ++i) {
+  for (std::size_t i = 1; i < poses.size(); ++i) {
     const bool is_other = is_as_good(poses[i], best);
     if (!is_other && poses[i].excess() <= kRival * best.excess()) break;  // best first
     const bool is_same_place =

@@ -14,13 +14,11 @@ namespace spool {
 struct FindDecision {
   bool found = false;
   std::string reason;               // not found: one sentence why, and what to do
-  std::size_t best = 0;             // into the poses
-  std::vector<std::size_t> others;  // that explain the scan about as well, best first
+  std::vector<std::size_t> others;  // into the poses: explain the scan about as well, best first
 };
 
-// `poses`: best explained first. Where several each explain another piece of the scan (the spool is
-// not as designed between them), the one is meant that takes the fewest joints to be wrong, and
-// among those the one that holds the datum.
+// `poses`: best explained first; if any is believed, it is the first. Of a spool that is not built
+// as designed that is the pose of its largest piece (vision/inspect/datum_side goes on from there).
 [[nodiscard]] FindDecision decide(const FinderModel& model, const std::vector<PoseEvidence>& poses);
 
 }  // namespace spool

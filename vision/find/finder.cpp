@@ -10,7 +10,6 @@
 #include "vision/find/field_icp.h"
 #include "vision/find/find_decision.h"
 #include "vision/find/find_scene.h"
-#include "vision/find/joint_motions.h"
 #include "vision/find/pose_search.h"
 
 namespace spool {
@@ -23,8 +22,6 @@ constexpr std::size_t kRefinedPerRound = 8;
 // A pose that explains more than the best so far would be drawn at least as often; after seven
 // draws of the best, that it was never drawn has a chance of e^-7, under one in a thousand.
 constexpr int kEnoughHits = 7;
-constexpr double kWhole = 0.92;  // of the design in sight: nothing of it is elsewhere
-constexpr double kSlide = 0.06;  // of the size: as far as a pipe is tried too long or too short
 
 constexpr const char* kStopped = "The search was stopped before it was done.";
 
@@ -76,18 +73,11 @@ std::vector<PoseEvidence> refine_and_weigh(const FinderModel& model, const FindS
   return weighed;
 }
 
-// What a design that resembles itself could be mistaken for is tried on purpose, and so is where it
-// would lie were one joint wrong.
-std::vector<Eigen::Isometry3f> rivals(const FinderModel& model, const FindScene& scene,
-                                      const PoseEvidence& pose) {
-  const Pose& T = pose.T_design_scan;
+// What a design that resembles itself could be mistaken for is tried on purpose.
+std::vector<Eigen::Isometry3f> rivals(const FinderModel& model, const PoseEvidence& pose) {
   std::vector<Eigen::Isometry3f> rough;
-  for (const SelfLikeness& alike : model.alike) rough.push_back((alike.motion * T).cast<float>());
-  if (pose.coverage < kWhole) {
-    const std::vector<Eigen::Isometry3f> moved = joint_motions(
-        model.axes, T.cast<float>(), scene.occupancy(), model.probes, kSlide * model.size_m);
-    rough.insert(rough.end(), moved.begin(), moved.end());
-  }
+  for (const SelfLikeness& alike : model.alike)
+    rough.push_back((alike.motion * pose.T_design_scan).cast<float>());
   return rough;
 }
 
@@ -143,8 +133,8 @@ FindResult find_design(const FinderModel& model, std::span<const Eigen::Vector3f
     // With the last round, also what was drawn less often has to stand up to its rivals.
     if (!decision.found || (poses.front().hits < kEnoughHits && result.rounds < kMostRounds))
       continue;
-    const std::vector<Eigen::Isometry3f> rough = rivals(model, scene, poses[decision.best]);
-    for (PoseEvidence& pose : refine_and_weigh(model, scene, rough, refining, watch))
+    for (PoseEvidence& pose :
+         refine_and_weigh(model, scene, rivals(model, poses.front()), refining, watch))
       add_pose(model, std::move(pose), poses);
     sort_poses(poses);
     decision = decide(model, poses);
@@ -156,7 +146,7 @@ FindResult find_design(const FinderModel& model, std::span<const Eigen::Vector3f
   }
   result.found = decision.found;
   result.reason = decision.reason;
-  if (!poses.empty()) result.best = poses[decision.best];
+  if (!poses.empty()) result.best = poses.front();
   for (const std::size_t other : decision.others) result.others.push_back(poses[other]);
   return result;
 }

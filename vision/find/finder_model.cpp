@@ -51,9 +51,7 @@ FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface&
   model.part = samples.part;
   model.spacing_m = samples.radius_m;
   model.parts = design.parts.size();
-  model.datums = design.datums;
-  for (const Joint& joint : design.joints) model.joints.push_back({joint.part_a, joint.part_b});
-  model.axes = joint_axes(design);
+  model.runs = straight_runs(design);
   if (!model.samples.has_normals() || !(model.size_m > 0)) return model;
   std::mt19937 random(seed);
   model.probes = model.samples.points;

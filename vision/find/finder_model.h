@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -16,8 +15,8 @@
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
 #include "vision/find/elements.h"
-#include "vision/find/joint_motions.h"
 #include "vision/find/pair_table.h"
+#include "vision/find/straight_runs.h"
 #include "vision/find/surface_field.h"
 #include "vision/find/symmetry.h"
 
@@ -32,20 +31,18 @@ struct FinderLevel {
 
 // Immutable once prepared; shared by threads. All lengths follow from the design's own size.
 struct FinderModel {
-  double size_m = 0;                       // m, the design's diagonal
-  PointCloud samples;                      // of the surface that can be seen, with normals
-  std::vector<std::int32_t> part;          // of each sample
-  std::vector<Eigen::Vector3f> probes;     // some of the samples in random order: a full score
-  SurfaceField field;                      // over `samples`
-  double spacing_m = 0;                    // m; between samples: none are nearer to each other
-  std::vector<FinderLevel> levels;         // in the order in which they are tried
-  std::size_t parts = 0;                   // of the design
-  std::vector<int> datums;                 // parts that the design names as datum
-  std::vector<std::array<int, 2>> joints;  // parts that are joined
-  std::vector<JointAxis> axes;             // that joints lie on
-  std::vector<SelfLikeness> alike;         // motions that lay half of the design or more on itself
-  std::vector<Pose> symmetries;            // of those, the ones that change nothing at all
-  int free_motions = 0;                    // of the whole design: one of a body of revolution
+  double size_m = 0;                    // m, the design's diagonal
+  PointCloud samples;                   // of the surface that can be seen, with normals
+  std::vector<std::int32_t> part;       // of each sample
+  std::vector<Eigen::Vector3f> probes;  // some of the samples in random order: a full score
+  SurfaceField field;                   // over `samples`
+  double spacing_m = 0;                 // m; between samples: none are nearer to each other
+  std::vector<FinderLevel> levels;      // in the order in which they are tried
+  std::size_t parts = 0;                // of the design
+  StraightRuns runs;                    // parts in one line
+  std::vector<SelfLikeness> alike;      // motions that lay half of the design or more on itself
+  std::vector<Pose> symmetries;         // of those, the ones that change nothing at all
+  int free_motions = 0;                 // of the whole design: one of a body of revolution
 
   // Distances that the search counts in, m.
   [[nodiscard]] double rough_m() const { return 0.015 * size_m; }  // a pair's pose is off by this

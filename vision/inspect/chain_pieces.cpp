@@ -6,197 +6,103 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
-#include <Eigen/Geometry>
-
 #include "vision/core/parallel.h"
-#include "vision/find/field_icp.h"
-#include "vision/find/occupancy.h"
-#include "vision/find/pose_search.h"
-#include "vision/find/surface_field.h"
-#include "vision/inspect/joint_tree.h"
+#include "vision/inspect/chain_weigher.h"
 
 namespace spool {
 namespace {
 
-constexpr double kRough = 0.012;      // of the size: as far as a tried motion may miss
-constexpr double kSlide = 0.06;       // of the size: as far as a pipe is tried too long
-constexpr int kSlides = 30;           // each way
-constexpr int kTurns = 180;           // of two degrees
-constexpr int kSpins = 24;            // of fifteen degrees, where a piece hangs elsewhere
-constexpr std::size_t kProbes = 200;  // of a piece's surface
-constexpr float kRoughGain = 0.2F;    // of a piece's surface that a motion has to win
-constexpr std::size_t kRefined = 16;  // motions looked at closely, each round
-constexpr std::size_t kLeastPoints = 25;
+constexpr std::size_t kRefined = 16;     // motions looked at closely, each round
 constexpr double kLeastCoverage = 0.35;  // of the moved piece, by what is left of the scan…
 constexpr double kElsewhere = 0.6;       // …of one hung elsewhere: any like pipe lies elsewhere
-constexpr double kMostChance = 0.25;     // of the points on it, that clutter would put there
-constexpr double kAlike = 0.97;          // this near in gain: the shorter piece is meant
-constexpr std::size_t kMostPieces = 4;
+constexpr double kAlike = 0.97;          // this near in gain, the name decides
+constexpr float kParallel = 0.9986F;     // cosine of three degrees
+constexpr double kInLine = 0.01;         // of the size
 
-struct Motion {
-  std::size_t branch = 0;  // into the joint tree
-  PieceFault fault = PieceFault::kTurned;
-  Eigen::Isometry3f move = Eigen::Isometry3f::Identity();
-  float gain = 0;  // share of the piece's surface
-};
-
-// A branch as geometry: its samples, and some of them to probe with.
-struct BranchShape {
-  PointCloud samples;
-  std::vector<Eigen::Vector3f> probes;
-};
-
-BranchShape shape_of(const JointBranch& branch, const SurfaceSamples& samples) {
-  BranchShape shape;
-  for (std::size_t s = 0; s < samples.part.size(); ++s) {
-    if (!branch.holds(samples.part[s])) continue;
-    shape.samples.points.push_back(samples.cloud.points[s]);
-    shape.samples.normals.push_back(samples.cloud.normals[s]);
-  }
-  // Samples come in random order (Poisson disk): every nth is spread as they are.
-  const std::size_t step = shape.samples.size() / kProbes + 1;
-  for (std::size_t s = 0; s < shape.samples.size(); s += step)
-    shape.probes.push_back(shape.samples.points[s]);
-  return shape;
+// Two branches that changed places: of the second there is no doubt where it hangs.
+bool is_counterpart(const ChainMotion& motion, const JointBranch& branch,
+                    const std::vector<ChainMotion>& before, std::span<const JointBranch> tree) {
+  return motion.fault == PieceFault::kExchanged &&
+         std::any_of(before.begin(), before.end(), [&](const ChainMotion& first) {
+           return first.hangs_at == branch.joint && tree[first.branch].joint == motion.hangs_at;
+         });
 }
 
-// `move` moves the design; is the moved surface where the scan has points?
-float met(const Eigen::Isometry3f& move, const Occupancy& occupancy, const BranchShape& shape) {
-  return pose_score(move.inverse(), occupancy, shape.probes);
+// Of what is explained about as well the shorter piece is meant: the elbow that is turned, not the
+// pipe before it. But where branches changed places, they did so from the joint on.
+bool is_better(const WeighedMotion& one, const WeighedMotion& best,
+               std::span<const JointBranch> tree) {
+  const bool both_hang =
+      one.motion.fault == PieceFault::kExchanged && best.motion.fault == PieceFault::kExchanged;
+  const std::size_t parts = tree[one.motion.branch].parts.size();
+  const std::size_t best_parts = tree[best.motion.branch].parts.size();
+  const bool is_meant = both_hang ? parts > best_parts : parts < best_parts;
+  return one.gain > (is_meant ? kAlike * best.gain : best.gain / kAlike);
 }
 
-Eigen::Isometry3f turn_about(const Eigen::Vector3f& point, const Eigen::Vector3f& axis,
-                             float angle) {
-  Eigen::Isometry3f move = Eigen::Isometry3f::Identity();
-  move.linear() = Eigen::AngleAxisf(angle, axis).toRotationMatrix();
-  move.translation() = point - move.linear() * point;
-  return move;
+// A joint in line with a motion's own: the same motion could have gone wrong there.
+bool is_in_line(const JointBranch& one, const JointBranch& other, double size_m) {
+  return one.turns && one.frame.outward.dot(other.frame.outward) > kParallel &&
+         double{(one.frame.point - other.frame.point).cross(other.frame.outward).norm()} <
+             kInLine * size_m &&
+         (one.holds(other.part_far) || other.holds(one.part_far));
 }
 
-void keep_promising(std::vector<Motion>& motions, std::size_t count) {
-  std::stable_sort(motions.begin(), motions.end(),
-                   [](const Motion& a, const Motion& b) { return a.gain > b.gain; });
-  if (motions.size() > count) motions.resize(count);
+// Takes the parts of `gone` from the branch; false where it had none of them.
+bool without_parts(const JointBranch& gone, JointBranch& branch) {
+  for (const int part : gone.parts) branch.is_part[static_cast<std::size_t>(part)] = 0;
+  return std::erase_if(branch.parts, [&](int part) { return gone.holds(part); }) > 0;
 }
 
-// The best few of each kind of motion of one branch.
-std::vector<Motion> motions_of(const std::vector<JointBranch>& tree, std::size_t b,
-                               const BranchShape& shape, const Occupancy& occupancy,
-                               double size_m) {
-  const JointBranch& branch = tree[b];
-  const float here = met(Eigen::Isometry3f::Identity(), occupancy, shape);
-  std::vector<Motion> all;
-  if (here > 1 - kRoughGain) return all;
-  constexpr float kPi = std::numbers::pi_v<float>;
-  std::vector<Motion> some;
-  const auto take = [&](PieceFault fault, const Eigen::Isometry3f& move) {
-    const float gain = met(move, occupancy, shape) - here;
-    if (gain > kRoughGain) some.push_back({b, fault, move, gain});
-  };
-  const auto keep = [&](std::size_t count) {
-    keep_promising(some, count);
-    all.insert(all.end(), some.begin(), some.end());
-    some.clear();
-  };
-  for (int i = 1; i < kTurns; ++i)
-    take(PieceFault::kTurned,
-         turn_about(branch.point, branch.outward, 2 * kPi * static_cast<float>(i) / kTurns));
-  keep(3);
-  for (int i = -kSlides; i <= kSlides; ++i) {
-    if (i == 0) continue;
-    Eigen::Isometry3f move = Eigen::Isometry3f::Identity();
-    move.translation() = static_cast<float>(kSlide * size_m * i / kSlides) * branch.outward;
-    take(i > 0 ? PieceFault::kTooLong : PieceFault::kTooShort, move);
-  }
-  keep(3);
-  for (const JointBranch& other : tree) {
-    if (&other == &branch || branch.holds(other.part_far)) continue;
-    Eigen::Isometry3f carry = Eigen::Isometry3f::Identity();
-    carry.linear() =
-        Eigen::Quaternionf::FromTwoVectors(branch.outward, other.outward).toRotationMatrix();
-    carry.translation() = other.point - carry.linear() * branch.point;
-    for (int i = 0; i < kSpins; ++i)
-      take(
-          PieceFault::kExchanged,
-          turn_about(other.point, other.outward, 2 * kPi * static_cast<float>(i) / kSpins) * carry);
-  }
-  keep(3);
-  return all;
-}
-
-// A motion refined on what is left and weighed: the points on the moved piece, less those that lie
-// on the piece in its place and would no longer be explained.
-struct Weighed {
-  Motion motion;
-  std::vector<std::uint32_t> points;  // into scan.left
-  double gain = 0;                    // points
-};
-
-class Weigher {
+// The scan as it is used up: what a piece explains is no longer left, and no piece loses by it.
+class RestOfScan {
  public:
-  Weigher(const ChainScan& scan, const ChainOptions& options) : scan_(scan), options_(options) {}
+  explicit RestOfScan(const ChainScan& scan)
+      : scan_(scan),
+        explained_part_(scan.explained_part.begin(), scan.explained_part.end()),
+        left_(scan.left.begin(), scan.left.end()),
+        place_(left_.size()) {
+    for (std::uint32_t i = 0; i < place_.size(); ++i) place_[i] = i;
+  }
 
-  [[nodiscard]] std::optional<Weighed> weigh(const Motion& motion, const JointBranch& branch,
-                                             const BranchShape& shape) const {
-    const double reach = 2.5 * kRough * options_.size_m;
-    const SurfaceField field(shape.samples, options_.size_m / 200, reach);
-    const double gate = std::max(3.5 * options_.noise_m, 0.001 * options_.size_m);
-    std::vector<Eigen::Vector3f> all(scan_.left.begin(), scan_.left.end());
+  [[nodiscard]] ChainScan scan() const { return {scan_.explained, explained_part_, left_}; }
+  // All points, near to which a moved surface may be.
+  [[nodiscard]] Occupancy occupancy(double near_m) const {
+    std::vector<Eigen::Vector3f> all(left_);
     all.insert(all.end(), scan_.explained.begin(), scan_.explained.end());
-    const FieldIcpResult icp = refine_on_field(
-        all, shape.samples, field, motion.move.inverse(),
-        {.iterations = 15, .start_gate_m = 1.5 * kRough * options_.size_m, .end_gate_m = gate});
-    Weighed weighed{motion, {}, 0};
-    weighed.motion.move = icp.T_design_scan.inverse();
-    const auto is_on = [&](const Eigen::Vector3f& p_scan, const Eigen::Isometry3f& T,
-                           bool& is_round) {
-      const Eigen::Vector3f p = T * p_scan;
-      const std::uint16_t s = field.nearest(p);
-      is_round = s != SurfaceField::kFar;
-      if (!is_round) return false;
-      const Eigen::Vector3f offset = p - shape.samples.points[s];
-      const double beside = 2 * field.cell_m() + gate;
-      return std::abs(shape.samples.normals[s].dot(offset)) < gate &&
-             double{offset.squaredNorm()} < beside * beside;
-    };
-    std::size_t round_it = 0;
-    bool is_round = false;
-    std::vector<Eigen::Vector3f> on;
-    for (std::uint32_t i = 0; i < scan_.left.size(); ++i) {
-      if (is_on(scan_.left[i], icp.T_design_scan, is_round)) {
-        weighed.points.push_back(i);
-        on.push_back(icp.T_design_scan * scan_.left[i]);
-      } else {
-        round_it += is_round ? 1U : 0U;
-      }
+    return {all, near_m};
+  }
+  // Takes the motion's points, and returns their places in the scan as it was.
+  std::vector<std::uint32_t> take(const WeighedMotion& weighed) {
+    for (const std::uint32_t i : weighed.explained) explained_part_[i] = -1;
+    std::vector<std::uint32_t> taken;
+    std::vector<std::uint8_t> is_taken(left_.size(), 0);
+    for (const std::uint32_t i : weighed.points) {
+      is_taken[i] = 1;
+      taken.push_back(place_[i]);
     }
-    const double chance = static_cast<double>(round_it) * gate / std::max(gate, reach - gate);
-    std::size_t lost = 0;
-    for (std::size_t i = 0; i < scan_.explained.size(); ++i)
-      if (branch.holds(scan_.explained_part[i]) &&
-          !is_on(scan_.explained[i], icp.T_design_scan, is_round))
-        ++lost;
-    if (weighed.points.size() < kLeastPoints ||
-        chance + 3 * std::sqrt(chance) > kMostChance * static_cast<double>(weighed.points.size()))
-      return std::nullopt;
-    weighed.gain = static_cast<double>(weighed.points.size()) - chance - static_cast<double>(lost);
-    const Occupancy vouched(on, kRough * options_.size_m);
-    const float coverage = pose_score(Eigen::Isometry3f::Identity(), vouched, shape.probes);
-    const double least = motion.fault == PieceFault::kExchanged ? kElsewhere : kLeastCoverage;
-    if (coverage < least || weighed.gain < kLeastPoints) return std::nullopt;
-    return weighed;
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      if (is_taken[i] != 0) continue;
+      left_[to] = left_[i];
+      place_[to++] = place_[i];
+    }
+    left_.resize(to);
+    place_.resize(to);
+    return taken;
   }
 
  private:
-  const ChainScan& scan_;
-  const ChainOptions& options_;
+  ChainScan scan_;
+  std::vector<std::int32_t> explained_part_;
+  std::vector<Eigen::Vector3f> left_;
+  std::vector<std::uint32_t> place_;
 };
 
-Piece piece_of(const Weighed& weighed, const std::vector<JointBranch>& tree,
-               const DesignModel& design) {
+Piece piece_of(const WeighedMotion& weighed, std::vector<std::uint32_t> points,
+               std::span<const JointBranch> tree, const DesignModel& design) {
   const JointBranch& branch = tree[weighed.motion.branch];
   Piece piece;
   piece.joint = branch.joint;
@@ -204,10 +110,10 @@ Piece piece_of(const Weighed& weighed, const std::vector<JointBranch>& tree,
   piece.fault = weighed.motion.fault;
   piece.motion = weighed.motion.move.cast<double>();
   piece.motion.linear() = Eigen::Quaterniond(piece.motion.linear()).normalized().toRotationMatrix();
-  piece.points = weighed.points;
+  piece.points = std::move(points);
   piece.part = branch.part_far;
   if (piece.fault == PieceFault::kTooLong || piece.fault == PieceFault::kTooShort) {
-    piece.amount = piece.motion.translation().dot(branch.outward.cast<double>());
+    piece.amount = piece.motion.translation().dot(branch.frame.outward.cast<double>());
     const auto near = static_cast<std::size_t>(branch.part_near);
     if (design.parts[near].kind == PartKind::kPipe) piece.part = branch.part_near;
   } else {
@@ -216,75 +122,91 @@ Piece piece_of(const Weighed& weighed, const std::vector<JointBranch>& tree,
   return piece;
 }
 
+// One round: the motion that explains most of what is left.
+class Round {
+ public:
+  Round(std::span<const JointBranch> tree, const ChainWeigher& weigher, const ChainScan& scan,
+        const std::vector<ChainMotion>& before)
+      : tree_(tree), weigher_(weigher), scan_(scan), before_(before) {}
+
+  // Adds the best of `motions` where it is better than what there is.
+  void weigh(const std::vector<ChainMotion>& motions, const Watch& watch) {
+    std::vector<std::optional<WeighedMotion>> weighed(motions.size());
+    parallel_chunks(motions.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t m = begin; m < end && !watch.cancelled(); ++m) {
+        const bool is_doubtful =
+            motions[m].fault == PieceFault::kExchanged &&
+            !is_counterpart(motions[m], tree_[motions[m].branch], before_, tree_);
+        weighed[m] = weigher_.weigh(scan_, motions[m], is_doubtful ? kElsewhere : kLeastCoverage);
+      }
+    });
+    for (std::optional<WeighedMotion>& each : weighed)
+      if (each && (!best_ || is_better(*each, *best_, tree_))) best_ = std::move(each);
+  }
+  [[nodiscard]] const std::optional<WeighedMotion>& best() const { return best_; }
+
+ private:
+  std::span<const JointBranch> tree_;
+  const ChainWeigher& weigher_;
+  ChainScan scan_;
+  const std::vector<ChainMotion>& before_;
+  std::optional<WeighedMotion> best_;
+};
+
 }  // namespace
 
-std::vector<Piece> chain_pieces(const DesignModel& design, const SurfaceSamples& samples,
-                                const ChainScan& scan, const ChainOptions& options,
-                                const Watch& watch) {
+std::vector<Piece> chain_pieces(const DesignModel& design, std::span<const JointBranch> joints,
+                                const SurfaceSamples& samples, const ChainScan& scan,
+                                const ChainOptions& options, const Watch& watch) {
   std::vector<Piece> pieces;
-  const std::vector<JointBranch> tree = joint_tree(design);
-  if (tree.empty() || scan.left.size() < kLeastPoints || !samples.cloud.has_normals())
-    return pieces;
-  std::vector<BranchShape> shapes;
-  for (const JointBranch& branch : tree) shapes.push_back(shape_of(branch, samples));
+  std::vector<JointBranch> tree(joints.begin(), joints.end());
+  std::vector<ChainMotion> moved;
+  if (tree.empty() || !samples.cloud.has_normals()) return pieces;
+  std::vector<PieceShape> shapes;
+  for (const JointBranch& branch : tree) shapes.emplace_back(branch.is_part, samples);
+  const ChainWeigher weigher(tree, shapes, design, samples, options);
+  if (scan.left.size() < weigher.least_points()) return pieces;
 
-  ChainScan now = scan;
-  std::vector<Eigen::Vector3f> left(scan.left.begin(), scan.left.end());
-  std::vector<std::uint32_t> place(left.size());
-  for (std::uint32_t i = 0; i < place.size(); ++i) place[i] = i;
+  RestOfScan rest(scan);
   std::vector<std::uint8_t> is_done(tree.size(), 0);
-  while (pieces.size() < kMostPieces && !watch.cancelled()) {
-    now.left = left;
-    std::vector<Eigen::Vector3f> all(left);
-    all.insert(all.end(), scan.explained.begin(), scan.explained.end());
-    const Occupancy occupancy(all, kRough * options.size_m);
-    std::vector<std::vector<Motion>> of_branch(tree.size());
+  while (pieces.size() < options.most_pieces && !watch.cancelled()) {
+    const Occupancy occupancy = rest.occupancy(kRoughMotion * options.size_m);
+    std::vector<std::vector<ChainMotion>> of_branch(tree.size());
     parallel_chunks(tree.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end && !watch.cancelled(); ++b)
         if (is_done[b] == 0 && !shapes[b].probes.empty())
-          of_branch[b] = motions_of(tree, b, shapes[b], occupancy, options.size_m);
+          of_branch[b] = chain_motions(tree[b], b, shapes[b], occupancy, options.size_m);
     });
-    std::vector<Motion> motions;
+    std::vector<ChainMotion> motions;
     for (const auto& some : of_branch) motions.insert(motions.end(), some.begin(), some.end());
     // By surface won, not by share: a long piece tells more than a short one.
-    for (Motion& motion : motions)
+    for (ChainMotion& motion : motions)
       motion.gain *= static_cast<float>(shapes[motion.branch].samples.size());
     keep_promising(motions, kRefined);
-    const Weigher weigher(now, options);
-    std::vector<std::optional<Weighed>> weighed(motions.size());
-    parallel_chunks(motions.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t m = begin; m < end && !watch.cancelled(); ++m)
-        weighed[m] = weigher.weigh(motions[m], tree[motions[m].branch], shapes[motions[m].branch]);
-    });
-    const Weighed* best = nullptr;
-    for (const std::optional<Weighed>& each : weighed) {
-      if (!each) continue;
-      const bool is_shorter = best != nullptr && tree[each->motion.branch].parts.size() <
-                                                     tree[best->motion.branch].parts.size();
-      const double needed = best == nullptr ? 0
-                            : is_shorter    ? kAlike * best->gain
-                                            : best->gain / kAlike;
-      if (best == nullptr || each->gain > needed) best = &*each;
+    Round round(tree, weigher, rest.scan(), moved);
+    round.weigh(motions, watch);
+    if (!round.best()) break;
+    // At which of the joints in line it went wrong is too fine for the rough look.
+    const ChainMotion found = round.best()->motion;
+    motions.clear();
+    for (std::size_t b = 0; b < tree.size(); ++b) {
+      if (b == found.branch || is_done[b] != 0 || found.fault == PieceFault::kExchanged ||
+          !is_in_line(tree[b], tree[found.branch], options.size_m))
+        continue;
+      motions.push_back(found);
+      motions.back().branch = b;
     }
-    if (best == nullptr) break;
-    pieces.push_back(piece_of(*best, tree, design));
-    // What it explains is no longer left, and what hangs on it has moved with it.
-    std::vector<std::uint8_t> taken(left.size(), 0);
-    for (std::uint32_t& i : pieces.back().points) {
-      taken[i] = 1;
-      i = place[i];
+    round.weigh(motions, watch);
+    const WeighedMotion& best = *round.best();
+    pieces.push_back(piece_of(best, rest.take(best), tree, design));
+    moved.push_back(best.motion);
+    // What hangs on it has moved with it, and what it hung on moves without it from now on.
+    const JointBranch gone = tree[best.motion.branch];
+    for (std::size_t b = 0; b < tree.size(); ++b) {
+      if (gone.holds(tree[b].part_far)) is_done[b] = 1;
+      if (is_done[b] != 0 || !without_parts(gone, tree[b])) continue;
+      shapes[b] = PieceShape(tree[b].is_part, samples);
     }
-    std::vector<Eigen::Vector3f> still;
-    std::vector<std::uint32_t> still_place;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      if (taken[i] != 0) continue;
-      still.push_back(left[i]);
-      still_place.push_back(place[i]);
-    }
-    left = std::move(still);
-    place = std::move(still_place);
-    for (std::size_t b = 0; b < tree.size(); ++b)
-      if (tree[best->motion.branch].holds(tree[b].part_far)) is_done[b] = 1;
   }
   return pieces;
 }

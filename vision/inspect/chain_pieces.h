@@ -15,11 +15,11 @@
 #include "vision/core/pose.h"
 #include "vision/design/design_model.h"
 #include "vision/design/sampling.h"
+#include "vision/inspect/chain_motions.h"
+#include "vision/inspect/chain_scan.h"
+#include "vision/inspect/joint_tree.h"
 
 namespace spool {
-
-// What is wrong at the joint that the piece hangs on.
-enum class PieceFault { kTurned, kTooLong, kTooShort, kExchanged };
 
 struct Piece {
   int joint = -1;  // of the design: between what is right and the piece
@@ -31,23 +31,12 @@ struct Piece {
   std::vector<std::uint32_t> points;  // of those given that lie on the moved piece, ascending
 };
 
-struct ChainOptions {
-  double noise_m = 0.003;  // m; standard deviation of a point
-  double size_m = 1;       // m; the design's diagonal
-};
-
-// The scan as the chain looks at it; m, design frame.
-struct ChainScan {
-  std::span<const Eigen::Vector3f> explained;    // points on the design…
-  std::span<const std::int32_t> explained_part;  // …and the part each lies on
-  std::span<const Eigen::Vector3f> left;         // what is neither that nor floor nor wall
-};
-
-// Takes the design's joints one by one and looks whether what hangs beyond, seen from the datum, is
-// where the design has it; if not, whether turned about the joint's axis, moved along it or hung
+// Takes the branches at `joints` one by one (joint_tree() or datum_sides()) and looks whether each
+// is where the design has it; if not, whether turned about the joint's axis, moved along it or hung
 // where another part should be it meets what is left. The kinematic chain of thesis 3.3.2 (Nahangi
-// & Haas 2014), searched instead of measured.
+// & Haas 2014), searched instead of measured. The best explained piece first.
 [[nodiscard]] std::vector<Piece> chain_pieces(const DesignModel& design,
+                                              std::span<const JointBranch> joints,
                                               const SurfaceSamples& samples, const ChainScan& scan,
                                               const ChainOptions& options, const Watch& watch = {});
 

@@ -18,25 +18,6 @@ namespace {
 constexpr std::size_t kGrain = 2048;
 constexpr std::size_t kAhead = 8;  // searches; a search takes longer than memory does
 
-// The distance (m) within which an object point vouches for a surface sample: as far apart as
-// samples are, or as the scan's own points are where it is the sparser (median distance to the
-// fourth neighbour).
-double vouching_radius(const PointIndex& object, const std::vector<Eigen::Vector3f>& points,
-                       double sample_radius) {
-  const std::size_t step = points.size() / 2000 + 1;  // two thousand say enough of a median
-  const auto bound = static_cast<float>(10 * sample_radius);
-  std::vector<float> fourth;
-  std::vector<Neighbour> neighbours;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    object.nearest_k(points[i], 5, bound, neighbours);  // the first is the point itself
-    fourth.push_back(neighbours.size() == 5 ? neighbours.back().distance : bound);
-  }
-  if (fourth.empty()) return sample_radius;
-  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
-  std::nth_element(fourth.begin(), middle, fourth.end());
-  return std::max(sample_radius, std::min<double>(double{*middle}, 5 * sample_radius));
-}
-
 // False where it was cancelled on the way.
 bool fill_with_none(std::size_t count, const Watch& watch, Deviations& deviations) {
   return watched_fill(deviations.distance_m, count, std::numeric_limits<float>::quiet_NaN(),
@@ -90,6 +71,22 @@ void add_coverage(const CloudView& scan, const Deviations& deviations,
 }
 
 }  // namespace
+
+double vouching_radius(const PointIndex& object, const std::vector<Eigen::Vector3f>& points,
+                       double sample_radius) {
+  const std::size_t step = points.size() / 2000 + 1;  // two thousand say enough of a median
+  const auto bound = static_cast<float>(10 * sample_radius);
+  std::vector<float> fourth;
+  std::vector<Neighbour> neighbours;
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    object.nearest_k(points[i], 5, bound, neighbours);  // the first is the point itself
+    fourth.push_back(neighbours.size() == 5 ? neighbours.back().distance : bound);
+  }
+  if (fourth.empty()) return sample_radius;
+  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
+  std::nth_element(fourth.begin(), middle, fourth.end());
+  return std::max(sample_radius, std::min<double>(double{*middle}, 5 * sample_radius));
+}
 
 Deviations no_deviations(std::size_t scan_points) {
   Deviations deviations;

@@ -13,6 +13,7 @@
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
 #include "vision/inspect/declutter.h"
+#include "vision/scan/point_index.h"
 
 namespace spool {
 
@@ -45,6 +46,13 @@ struct PartDeviation {
 [[nodiscard]] std::vector<PartDeviation> summarise_parts(
     const DesignModel& design, const CloudView& scan_design, std::span<const PointClass> classes,
     const Deviations& deviations, const SurfaceSamples& samples, const Watch& watch = {});
+
+// The distance (m) within which an object point vouches for a surface sample: as far apart as
+// samples are (`sample_radius`), or as the scan's own points are where it is the sparser (median
+// distance to the fourth neighbour). `index`: over `points`.
+[[nodiscard]] double vouching_radius(const PointIndex& index,
+                                     const std::vector<Eigen::Vector3f>& points,
+                                     double sample_radius);
 
 // Root mean square of all finite distances (eq. 3.1), m. Scan quality only.
 [[nodiscard]] double rms(const Deviations& deviations);

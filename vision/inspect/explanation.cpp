@@ -7,11 +7,12 @@
 #include <cmath>
 #include <limits>
 
-#include "vision/find/dominant_planes.h"
 #include "vision/inspect/surface_classes.h"
 
 namespace spool {
 namespace {
+
+constexpr std::size_t kMostPieces = 4;
 
 // How far (m) from the surface a point still counts as the object's. Ten standard deviations: no
 // reading of the surface gets there by noise. At least 20 mm, over three times the widest tolerance
@@ -35,89 +36,106 @@ std::vector<Eigen::Vector3f> finite(const std::vector<Eigen::Vector3f>& points) 
   return some;
 }
 
-// The unexplained points off floor and walls that a moved piece could meet: within the design's own
-// length of its middle. `place`: where each stands in the scan.
-void take_left(const ExplainedDesign& design, const PointCloud& scan,
-               const std::vector<PointClass>& classes, const std::vector<DominantPlane>& planes,
-               double noise_m, std::vector<Eigen::Vector3f>& left,
-               std::vector<std::uint32_t>& place) {
+// The scan as the chain looks at it, and where its rest stands in the scan.
+struct ChainInput {
+  std::vector<Eigen::Vector3f> explained, left;
+  std::vector<std::int32_t> explained_part;
+  std::vector<std::uint32_t> left_place;
+};
+
+// Left: the unexplained points off floor and walls that a moved piece could meet, within the
+// design's own length of its middle.
+ChainInput chain_input(const ExplainedDesign& design, const ExplainedScan& scan,
+                       const Explanation& explanation) {
+  ChainInput input;
   const Eigen::AlignedBox3d box = design.model.bounds();
   const Eigen::Vector3f middle = box.center().cast<float>();
   const auto reach = static_cast<float>(box.diagonal().norm());
-  const auto band = static_cast<float>(3 * noise_m);
-  for (std::uint32_t i = 0; i < scan.size(); ++i) {
-    const Eigen::Vector3f& point = scan.points[i];
+  const auto band = static_cast<float>(3 * scan.noise_m);
+  const std::vector<PointClass>& classes = explanation.declutter.classes;
+  for (std::uint32_t i = 0; i < scan.design.size(); ++i) {
+    const Eigen::Vector3f& point = scan.design.points[i];
+    if (classes[i] == PointClass::kObject) {
+      input.explained.push_back(point);
+      input.explained_part.push_back(explanation.deviations.part[i]);
+      continue;
+    }
     if (classes[i] != PointClass::kClutter || !((point - middle).norm() < reach)) continue;
-    if (std::any_of(planes.begin(), planes.end(),
+    if (std::any_of(explanation.planes.begin(), explanation.planes.end(),
                     [&](const DominantPlane& plane) { return plane.holds(point, band); }))
       continue;
-    left.push_back(point);
-    place.push_back(i);
+    input.left.push_back(point);
+    input.left_place.push_back(i);
   }
+  return input;
 }
 
-// Steel of the spool in another place is evidence: its points contradict the design.
-void add_pieces(const ExplainedDesign& design, const PointCloud& scan,
-                const std::vector<DominantPlane>& planes, double noise_m, const Watch& watch,
-                Explanation& explanation) {
-  std::vector<PointClass>& classes = explanation.declutter.classes;
-  std::vector<Eigen::Vector3f> left;
-  std::vector<std::uint32_t> place;
-  take_left(design, scan, classes, planes, noise_m, left, place);
-  ChainScan chain;
-  chain.left = left;
-  std::vector<Eigen::Vector3f> on;
-  std::vector<std::int32_t> on_part;
-  for (std::size_t i = 0; i < scan.size(); ++i) {
-    if (classes[i] != PointClass::kObject) continue;
-    on.push_back(scan.points[i]);
-    on_part.push_back(explanation.deviations.part[i]);
+bool is_thesis(const DeclutterOptions& options) {
+  return options.method != DeclutterMethod::kThreeClasses || options.k > 0;
+}
+
+}  // namespace
+
+Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& scan,
+                            const DeclutterOptions& options, const Watch& watch) {
+  Explanation explanation;
+  if (is_thesis(options)) {
+    explanation.declutter = declutter_knn(scan.design, design.samples.cloud, options, watch);
+    explanation.deviations =
+        measure_deviations(scan.design, explanation.declutter.classes, design.surface,
+                           deviation_bound(scan.noise_m), watch);
+    count_classes(explanation.declutter);
+    return explanation;
   }
-  chain.explained = on;
-  chain.explained_part = on_part;
+  const double size_m = design.model.bounds().diagonal().norm();
+  explanation.planes = dominant_planes(finite(scan.design.points),
+                                       {.size_m = size_m, .noise_m = scan.noise_m}, watch);
+  std::vector<PointClass>& classes = explanation.declutter.classes;
+  classes.assign(scan.design.size(), PointClass::kObject);
+  explanation.deviations = measure_deviations(scan.design, classes, design.surface,
+                                              deviation_bound(scan.noise_m), watch);
+  if (watch.cancelled()) return explanation;
+  classify_by_surface(scan.design, explanation.deviations, explanation.planes,
+                      {.noise_m = scan.noise_m, .oriented_normals = scan.oriented_normals}, classes,
+                      watch);
+  forget_clutter(classes, explanation.deviations);
+  count_classes(explanation.declutter);
+  return explanation;
+}
+
+void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan,
+                    const DeclutterOptions& options, const Watch& watch, Explanation& explanation) {
+  if (is_thesis(options) || watch.cancelled()) return;
   explanation.pieces =
-      chain_pieces(design.model, design.samples, chain,
-                   {.noise_m = noise_m, .size_m = design.model.bounds().diagonal().norm()}, watch);
-  for (Piece& piece : explanation.pieces) {
-    for (std::uint32_t& i : piece.points) {
-      i = place[i];
-      classes[i] = PointClass::kContradicting;
+      moved_pieces(design, scan, explanation, joint_tree(design.model), kMostPieces, watch);
+  // Steel of the spool in another place is evidence.
+  for (const Piece& piece : explanation.pieces) {
+    for (const std::uint32_t i : piece.points) {
+      explanation.declutter.classes[i] = PointClass::kContradicting;
       const auto nearest =
-          design.surface.closest(scan.points[i], std::numeric_limits<float>::max());
+          design.surface.closest(scan.design.points[i], std::numeric_limits<float>::max());
       if (!nearest) continue;
       explanation.deviations.distance_m[i] = nearest->distance;
       explanation.deviations.part[i] = nearest->part;
     }
   }
+  count_classes(explanation.declutter);
 }
 
-}  // namespace
-
-Explanation explain_scan(const ExplainedDesign& design, const PointCloud& scan_design,
-                         double noise_m, bool oriented_normals, const DeclutterOptions& options,
-                         const Watch& watch) {
-  Explanation explanation;
-  if (options.method != DeclutterMethod::kThreeClasses || options.k > 0) {
-    explanation.declutter = declutter_knn(scan_design, design.samples.cloud, options, watch);
-    explanation.deviations = measure_deviations(scan_design, explanation.declutter.classes,
-                                                design.surface, deviation_bound(noise_m), watch);
-    count_classes(explanation.declutter);
-    return explanation;
-  }
-  const double size_m = design.model.bounds().diagonal().norm();
-  const std::vector<DominantPlane> planes =
-      dominant_planes(finite(scan_design.points), {.size_m = size_m, .noise_m = noise_m}, watch);
-  std::vector<PointClass>& classes = explanation.declutter.classes;
-  classes.assign(scan_design.size(), PointClass::kObject);
-  explanation.deviations =
-      measure_deviations(scan_design, classes, design.surface, deviation_bound(noise_m), watch);
-  if (watch.cancelled()) return explanation;
-  classify_by_surface(scan_design, explanation.deviations, planes,
-                      {.noise_m = noise_m, .oriented_normals = oriented_normals}, classes, watch);
-  forget_clutter(classes, explanation.deviations);
-  add_pieces(design, scan_design, planes, noise_m, watch, explanation);
-  count_classes(explanation.declutter);
-  return explanation;
+std::vector<Piece> moved_pieces(const ExplainedDesign& design, const ExplainedScan& scan,
+                                const Explanation& explanation, std::span<const JointBranch> tree,
+                                std::size_t most_pieces, const Watch& watch) {
+  const ChainInput input = chain_input(design, scan, explanation);
+  std::vector<Piece> pieces = chain_pieces(
+      design.model, tree, design.samples,
+      {.explained = input.explained, .explained_part = input.explained_part, .left = input.left},
+      {.noise_m = scan.noise_m,
+       .size_m = design.model.bounds().diagonal().norm(),
+       .most_pieces = most_pieces},
+      watch);
+  for (Piece& piece : pieces)
+    for (std::uint32_t& i : piece.points) i = input.left_place[i];
+  return pieces;
 }
 
 }  // namespace spool

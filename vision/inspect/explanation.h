@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "vision/core/cancel.h"
@@ -10,6 +11,7 @@
 #include "vision/design/design_model.h"
 #include "vision/design/design_surface.h"
 #include "vision/design/sampling.h"
+#include "vision/find/dominant_planes.h"
 #include "vision/inspect/chain_pieces.h"
 #include "vision/inspect/declutter.h"
 #include "vision/inspect/deviation.h"
@@ -27,14 +29,32 @@ struct Explanation {
   DeclutterResult declutter;  // the class of each scan point
   Deviations deviations;      // of object and contradicting points
   std::vector<Piece> pieces;  // of the spool that are there, elsewhere than the design has them
+  std::vector<DominantPlane> planes;  // floor, walls, tables; m, design frame
 };
 
-// `scan_design`: every scan point, m, design frame, NaN allowed. `noise_m`: of a point.
-// `oriented_normals`: its normals, if any, point to the sensor. Thesis methods: the K nearest scan
-// points of every model point are the object, nothing contradicts. Of a cancelled run it says
-// nothing.
-[[nodiscard]] Explanation explain_scan(const ExplainedDesign& design, const PointCloud& scan_design,
-                                       double noise_m, bool oriented_normals,
-                                       const DeclutterOptions& options, const Watch& watch = {});
+// The scan as it is compared.
+struct ExplainedScan {
+  const PointCloud& design;      // every point, m, design frame, NaN allowed
+  double noise_m = 0.003;        // of a point
+  bool oriented_normals = true;  // its normals, if any, point to the sensor
+};
+
+// What lies on the design's surface, and what is floor and wall: no pieces yet. Thesis methods: the
+// K nearest scan points of every model point are the object. Of a cancelled run it says nothing.
+[[nodiscard]] Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& scan,
+                                          const DeclutterOptions& options, const Watch& watch = {});
+
+// Adds pieces that are elsewhere, seen from the datum: their points contradict the design. Nothing
+// after a thesis method.
+void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan,
+                    const DeclutterOptions& options, const Watch& watch, Explanation& explanation);
+
+// The best explained pieces among `tree` that are elsewhere. Their points are given as places in
+// the scan.
+[[nodiscard]] std::vector<Piece> moved_pieces(const ExplainedDesign& design,
+                                              const ExplainedScan& scan,
+                                              const Explanation& explanation,
+                                              std::span<const JointBranch> tree,
+                                              std::size_t most_pieces, const Watch& watch = {});
 
 }  // namespace spool

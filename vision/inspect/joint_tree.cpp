@@ -3,10 +3,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/inspect/joint_tree.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace spool {
 namespace {
+
+int root_of(const DesignModel& design) { return design.datums.empty() ? 0 : design.datums.front(); }
 
 // Parts reached from `start` without crossing joint `without` (-1: any), in breadth-first order.
 std::vector<int> reached(const DesignModel& design, int start, int without) {
@@ -27,12 +31,50 @@ std::vector<int> reached(const DesignModel& design, int start, int without) {
   return parts;
 }
 
+// The length (m) of the longer of two joined parts that are pipes, between their ports; of tubes
+// and what else has none any length.
+double pipe_at(const DesignModel& design, const Joint& joint) {
+  double most = 0;
+  bool is_fitted = true;
+  for (const int p : {joint.part_a, joint.part_b}) {
+    const Part& part = design.parts[static_cast<std::size_t>(p)];
+    is_fitted = is_fitted && part.kind != PartKind::kOther && part.kind != PartKind::kStructure;
+    if (part.kind != PartKind::kPipe) continue;
+    for (const Port& a : part.ports)
+      for (const Port& b : part.ports) most = std::max(most, (a.position - b.position).norm());
+  }
+  return is_fitted ? most : std::numeric_limits<double>::infinity();
+}
+
+bool is_nested(const JointBranch& a, const JointBranch& b) {
+  return a.holds(b.part_far) || b.holds(a.part_far);
+}
+
+// All parts of the root's spool that the branches do not hold.
+JointBranch without(const std::vector<int>& spool, const JointBranch& branch,
+                    const JointBranch* second) {
+  JointBranch rest;
+  rest.joint = branch.joint;
+  rest.part_near = branch.part_far;
+  rest.part_far = branch.part_near;
+  rest.frame = {branch.frame.point, -branch.frame.outward};
+  rest.most_shorter_m = branch.most_shorter_m;
+  rest.is_part.assign(branch.is_part.size(), 0);
+  rest.parts.push_back(rest.part_far);
+  for (const int part : spool) {
+    if (branch.holds(part) || (second != nullptr && second->holds(part))) continue;
+    rest.is_part[static_cast<std::size_t>(part)] = 1;
+    if (part != rest.part_far) rest.parts.push_back(part);
+  }
+  return rest;
+}
+
 }  // namespace
 
 std::vector<JointBranch> joint_tree(const DesignModel& design) {
   std::vector<JointBranch> tree;
   if (design.parts.empty()) return tree;
-  const int root = design.datums.empty() ? 0 : design.datums.front();
+  const int root = root_of(design);
   std::vector<std::size_t> depth(design.parts.size(), design.parts.size());
   const std::vector<int> order = reached(design, root, -1);
   for (std::size_t i = 0; i < order.size(); ++i) depth[static_cast<std::size_t>(order[i])] = i;
@@ -50,14 +92,36 @@ std::vector<JointBranch> joint_tree(const DesignModel& design) {
     branch.is_part.assign(design.parts.size(), 0);
     for (const int part : branch.parts) branch.is_part[static_cast<std::size_t>(part)] = 1;
     if (branch.holds(root)) continue;  // a loop: it hangs on something else as well
+    branch.most_shorter_m = pipe_at(design, joint);
     const Part& near = design.parts[static_cast<std::size_t>(branch.part_near)];
     const Port& port =
         near.ports[static_cast<std::size_t>(a_is_near ? joint.port_a : joint.port_b)];
-    branch.point = (near.T_design_part * port.position).cast<float>();
-    branch.outward = (near.T_design_part.linear() * port.direction).normalized().cast<float>();
+    branch.frame = {(near.T_design_part * port.position).cast<float>(),
+                    (near.T_design_part.linear() * port.direction).normalized().cast<float>()};
     tree.push_back(std::move(branch));
   }
+  for (JointBranch& branch : tree)
+    for (const JointBranch& other : tree)
+      if (other.joint != branch.joint && !branch.holds(other.part_far))
+        branch.others.push_back({other.frame, other.joint});
   return tree;
+}
+
+std::vector<JointBranch> datum_sides(const DesignModel& design) {
+  std::vector<JointBranch> sides;
+  if (design.parts.empty()) return sides;
+  const std::vector<JointBranch> tree = joint_tree(design);
+  const std::vector<int> spool = reached(design, root_of(design), -1);
+  for (const JointBranch& branch : tree) sides.push_back(without(spool, branch, nullptr));
+  for (const JointBranch& a : tree)
+    for (const JointBranch& b : tree) {
+      if (a.joint == b.joint || a.part_near != b.part_near || is_nested(a, b)) continue;
+      JointBranch rest = without(spool, a, &b);
+      rest.turns = false;
+      rest.others.push_back({{b.frame.point, -b.frame.outward}, b.joint});
+      sides.push_back(std::move(rest));
+    }
+  return sides;
 }
 
 }  // namespace spool

@@ -10,6 +10,7 @@
 #include "vision/align/principal_axes.h"
 #include "vision/core/parallel.h"
 #include "vision/find/finder.h"
+#include "vision/inspect/piece_shape.h"
 #include "vision/scan/normals.h"
 #include "vision/scan/point_index.h"
 #include "vision/scan/thinning.h"
@@ -145,10 +146,15 @@ void place_by_finding(const AlignRequest& request, const PointCloud& scan, const
 
 // Refines what was found, and what explains the scan as well.
 void align_by_finding(const Placement& placement, const PointCloud& near,
-                      const DesignSurface& surface, const IcpOptions& options, const Watch& watch,
-                      Alignment& alignment) {
+                      const DesignSurface& surface, const SurfaceSamples& samples,
+                      const IcpOptions& options, const Watch& watch, Alignment& alignment) {
   const IcpResult icp = refine_icp(near, surface, placement.T_design_scan, options, watch);
   take_icp(icp, alignment);
+  if (!placement.is_held.empty()) {
+    const Pose& T = placement.T_design_scan;
+    const PieceShape shape(placement.is_held, samples);
+    alignment.T_design_scan = shape.as_held(icp.T_design_scan * T.inverse()) * T;
+  }
   alignment.reason = what_to_mind(icp);
   alignment.ambiguous = !placement.alternatives.empty();
   alignment.is_symmetric = placement.is_symmetric;
@@ -205,10 +211,15 @@ PointCloud refinement_cloud(const PointCloud& scan, const DesignSurface& surface
   std::vector<std::uint8_t> near(scan.size(), 0);
   const Eigen::Isometry3f T = placement.T_design_scan.cast<float>();
   const auto reach = static_cast<float>(2 * placement.reach_m.value_or(0.0));
+  const auto is_held = [&](std::int32_t part) {
+    return placement.is_held.empty() || placement.is_held[static_cast<std::size_t>(part)] != 0;
+  };
   parallel_chunks(scan.size(), 2048, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Vector3f& p = scan.points[i];
-      near[i] = p.allFinite() && (!placement.reach_m || surface.closest(T * p, reach).has_value());
+      if (!p.allFinite()) continue;
+      const auto closest = placement.reach_m ? surface.closest(T * p, reach) : std::nullopt;
+      near[i] = !placement.reach_m || (closest && is_held(closest->part)) ? 1 : 0;
     }
   });
   std::vector<std::uint32_t> chosen;
@@ -265,7 +276,7 @@ Alignment align_scan(const AlignRequest& request, const Placement& placement,
       align_by_axes(near, surface, samples, options, watch, alignment);
       break;
     case AlignMethod::kFind:
-      align_by_finding(placement, near, surface, options, watch, alignment);
+      align_by_finding(placement, near, surface, samples, options, watch, alignment);
       break;
   }
   if (watch.cancelled()) mark_stopped(alignment);

@@ -34,10 +34,10 @@ struct Placement {
   Pose T_design_scan = Pose::Identity();
   std::optional<double> reach_m;  // m; how far off it may be; nothing: not placed yet, anywhere
   std::vector<double> pair_residual_m;
-  std::vector<Pose> alternatives;  // that explain the scan about as well, refined no further
-  bool is_symmetric = false;       // all of them by the design's own symmetry
-  double noise_m = 0;              // m, of a scan point: what is given, or what the pose shows
-  double explained = 0;            // found: points of the thinned scan that speak for it
+  std::vector<Pose> alternatives;     // that explain the scan about as well, refined no further
+  bool is_symmetric = false;          // all of them by the design's own symmetry
+  double noise_m = 0;                 // m, of a scan point: what is given, or what the pose shows
+  std::vector<std::uint8_t> is_held;  // parts that the pose may be taken from; empty: all
 };
 
 // What the method itself gives before anything is refined. Reach of pairs: what picks some 10 mm
@@ -45,7 +45,7 @@ struct Placement {
 [[nodiscard]] Placement place_scan(const AlignRequest& request, const DesignModel& design,
                                    const PointCloud& scan, double noise_m, const Watch& watch = {});
 
-// The points that a refinement looks at: those within reach of the surface, at most some 30 000,
+// The points that a refinement looks at: those within reach of the held parts, at most some 30 000,
 // with normals (estimated and of no sign where the scan has none). Points are the scan's own, not
 // means.
 [[nodiscard]] PointCloud refinement_cloud(const PointCloud& scan, const DesignSurface& surface,

@@ -9,10 +9,6 @@
 namespace spool {
 namespace {
 
-// Missing is said where a part shows (next to) nothing and what it is joined to shows well.
-constexpr double kNothing = 0.03;
-constexpr double kWell = 0.35;
-
 std::string joint_name(const DesignModel& design, int joint) {
   const Joint& it = design.joints[static_cast<std::size_t>(joint)];
   const std::string parts = design.parts[static_cast<std::size_t>(it.part_a)].name + " and " +
@@ -39,21 +35,10 @@ std::string what_is_wrong(const DesignModel& design, const Piece& piece) {
   return name + " is elsewhere.";
 }
 
-// The parts that a part is joined to show well, and there are some.
-bool is_seen_all_round(const DesignModel& design, int part, const std::vector<PartFinding>& parts) {
-  bool has_neighbour = false;
-  for (const Joint& joint : design.joints) {
-    if (joint.part_a != part && joint.part_b != part) continue;
-    const int other = joint.part_a == part ? joint.part_b : joint.part_a;
-    has_neighbour = true;
-    if (parts[static_cast<std::size_t>(other)].deviation.coverage < kWell) return false;
-  }
-  return has_neighbour;
-}
-
 }  // namespace
 
 std::vector<Finding> spool_findings(const DesignModel& design, const std::vector<Piece>& pieces,
+                                    const std::vector<int>& missing,
                                     const std::vector<PartFinding>& parts) {
   std::vector<Finding> findings;
   std::vector<std::uint8_t> is_elsewhere(design.parts.size(), 0);
@@ -67,10 +52,9 @@ std::vector<Finding> spool_findings(const DesignModel& design, const std::vector
                         std::to_string(piece.points.size()) +
                             " scan points lie on the design moved so, and not where it has them"});
   }
-  for (std::size_t p = 0; p < parts.size(); ++p) {
-    if (is_elsewhere[p] != 0 || parts[p].deviation.coverage > kNothing ||
-        !is_seen_all_round(design, static_cast<int>(p), parts))
-      continue;
+  for (const int part : missing) {
+    const auto p = static_cast<std::size_t>(part);
+    if (is_elsewhere[p] != 0) continue;
     findings.push_back({"missing", design.parts[p].name,
                         design.parts[p].name +
                             " does not show although what it is joined to does: it is missing, or "

@@ -11,9 +11,11 @@
 namespace spool {
 
 // A finding for every piece that is elsewhere (misplaced, wrong_size), and for every part of which
-// nothing shows although all round it does (missing). `parts`: as judged, in the design's order.
+// nothing shows although all round it does (missing_parts()), unless it is of such a piece.
+// `parts`: as judged, in the design's order.
 [[nodiscard]] std::vector<Finding> spool_findings(const DesignModel& design,
                                                   const std::vector<Piece>& pieces,
+                                                  const std::vector<int>& missing,
                                                   const std::vector<PartFinding>& parts);
 
 // A part that the evidence shows in another place than the design's is not ok, whatever its
