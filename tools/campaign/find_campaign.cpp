@@ -6,67 +6,24 @@
 #include <cstdio>
 #include <filesystem>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/common/cli.h"
+#include "tools/campaign/find_rows.h"
 #include "tools/campaign/scene.h"
 #include "vision/core/file_io.h"
 #include "vision/design/design_reader.h"
+#include "vision/find/finder.h"
 #include "vision/inspector.h"
 #include "vision/scan/noise_estimate.h"
+#include "vision/scan/point_index.h"
 
 namespace spool::campaign {
 namespace {
-
-struct Row {
-  std::string name;
-  SceneRequest request;
-};
-
-SceneRequest laser(ObjectKind kind, std::size_t points, double clutter) {
-  return {.kind = kind, .scene_points = points, .clutter_ratio = clutter};
-}
-
-// What the thesis varied in chapter 4, and what it could not do.
-std::vector<Row> rows() {
-  constexpr auto kSpool = ObjectKind::kPipeSpool3m;
-  constexpr auto kFrame = ObjectKind::kBoxFrame;
-  std::vector<Row> all{{"spool-clutter-12", laser(kSpool, 81'000, 12)},
-                       {"spool-clutter-51", laser(kSpool, 322'000, 51)},
-                       {"frame-clutter-3", laser(kFrame, 61'000, 3)},
-                       {"frame-clutter-10", laser(kFrame, 159'000, 10)},
-                       {"frame-clutter-21", laser(kFrame, 322'000, 21)}};
-  for (const double ratio : {20.0, 10.0, 5.0, 2.0, 1.0}) {
-    SceneRequest request = laser(kSpool, 0, 49);
-    request.scene_points = static_cast<std::size_t>(ratio * kModelPoints);
-    all.push_back({"spool-density-" + std::to_string(static_cast<int>(ratio)), request});
-    request = laser(kFrame, request.scene_points, 49);
-    all.push_back({"frame-density-" + std::to_string(static_cast<int>(ratio)), request});
-  }
-  for (const double completeness : {0.9, 0.7, 0.5}) {
-    SceneRequest request = laser(kSpool, 81'000, 12);
-    request.completeness = completeness;
-    all.push_back(
-        {"spool-complete-" + std::to_string(static_cast<int>(100 * completeness)), request});
-  }
-  for (const ObjectKind kind : {kSpool, kFrame}) {
-    SceneRequest request = laser(kind, 81'000, 12);
-    request.copies = 0;
-    all.push_back({kind == kSpool ? "spool-absent" : "frame-absent", request});
-  }
-  for (const auto& [name, defect] : {std::pair("defect-turned", DefectKind::kTurned),
-                                     std::pair("defect-long", DefectKind::kLong),
-                                     std::pair("defect-swapped", DefectKind::kSwapped),
-                                     std::pair("defect-missing", DefectKind::kMissing)}) {
-    SceneRequest request = laser(kSpool, 81'000, 12);
-    request.defects = {{.kind = defect, .amount = defect == DefectKind::kLong ? 80.0 : 0.0}};
-    all.push_back({name, request});
-  }
-  return all;
-}
 
 // How far off a found pose is: displacement of the design's own points, mean, and the angle.
 struct Miss {
@@ -93,33 +50,113 @@ Miss miss_of(const Scene& scene, const PreparedDesign& design, const Pose& T_des
 }
 
 struct Tally {
-  int right = 0, wrong = 0, silent = 0, ambiguous = 0, named = 0;
-  std::vector<double> seconds, mean_mm, angle_deg, vr, nr, rr;
+  int right = 0, wrong = 0, silent = 0, ambiguous = 0;
+  int at_fault = 0;             // scenes found right in which a part is at fault:
+  int named = 0, misnamed = 0;  // where those parts and no others were named; where others were
+  std::vector<double> seconds, mean_mm, angle_deg, vr, nr;
 };
 
 double share(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-void add_classes(const Scene& scene, const Inspection& inspection, Tally& tally) {
+// Which points touch the other kind: within three standard deviations nobody can tell them apart.
+std::vector<std::uint8_t> touching(const Scene& scene, double noise_m) {
+  std::vector<Eigen::Vector3f> object, clutter;
+  for (std::size_t i = 0; i < scene.labels.size(); ++i)
+    (scene.labels[i] < kFloor ? object : clutter).push_back(scene.cloud.points[i]);
+  const PointIndex of_object(object), of_clutter(clutter);
+  const auto near = static_cast<float>(3 * noise_m);
+  std::vector<std::uint8_t> touches(scene.labels.size(), 0);
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    const PointIndex& other = scene.labels[i] < kFloor ? of_clutter : of_object;
+    touches[i] = other.nearest(scene.cloud.points[i], near).has_value() ? 1 : 0;
+  }
+  return touches;
+}
+
+// VR and NR (DOMAIN A2: both over the object's points).
+void add_classes(const Scene& scene, const Inspection& inspection, double noise_m, Tally& tally) {
   std::size_t object = 0, missed = 0, kept_clutter = 0;
+  const std::vector<std::uint8_t> touches = touching(scene, noise_m);
   for (std::size_t i = 0; i < scene.labels.size(); ++i) {
+    const bool is_object = scene.labels[i] < kFloor;
+    object += is_object ? 1U : 0U;
+    if (touches[i] != 0) continue;
     const bool is_kept = inspection.declutter.classes[i] != PointClass::kClutter;
-    if (scene.labels[i] < kFloor) {
-      ++object;
-      missed += is_kept ? 0U : 1U;
-    } else {
-      kept_clutter += is_kept ? 1U : 0U;
-    }
+    missed += is_object && !is_kept ? 1U : 0U;
+    kept_clutter += !is_object && is_kept ? 1U : 0U;
   }
   tally.vr.push_back(share(missed, object));
   tally.nr.push_back(share(kept_clutter, object));
 }
 
-Result<void> run(const Row& row, std::uint32_t seed, bool say_each, Tally& tally) {
+void add_names(const Scene& scene, const Inspection& inspection, Tally& tally) {
+  std::set<std::string> at_fault, named;
+  for (const Defect& defect : scene.request.defects) {
+    at_fault.insert(defect.part);
+    if (!defect.other.empty()) at_fault.insert(defect.other);
+  }
+  for (const Finding& finding : inspection.findings)
+    if (!finding.part.empty()) named.insert(finding.part);
+  tally.at_fault += at_fault.empty() ? 0 : 1;
+  tally.named += !at_fault.empty() && named == at_fault ? 1 : 0;
+  tally.misnamed +=
+      std::includes(at_fault.begin(), at_fault.end(), named.begin(), named.end()) ? 0 : 1;
+}
+
+// The poses that were weighed, and what speaks for each.
+void print_tried(const Scene& scene, const PreparedDesign& design, double noise_m,
+                 std::uint32_t seed) {
+  const FindResult result =
+      find_design(*design.finder, scene.cloud.points, {.noise_m = noise_m, .seed = seed});
+  std::printf("    noise %.2f mm, %zu points thinned, %d planes, %d rounds\n", 1000 * noise_m,
+              result.thinned_to, result.planes, result.rounds);
+  for (std::size_t i = 0; i < std::min<std::size_t>(8, result.tried.size()); ++i) {
+    const PoseEvidence& pose = result.tried[i];
+    const Eigen::Translation3d origin(design.model.origin);
+    const Pose T = origin * pose.T_design_scan;
+    std::printf(
+        "    off %7.1f mm: explains %zu, %.0f by chance, coverage %.2f, free %d, scale %.2f mm, "
+        "drawn %d; parts",
+        1000 * miss_of(scene, design, T).mean_m, pose.explained, pose.chance, pose.coverage,
+        pose.free_motions, 1000 * pose.scale_m, pose.hits);
+    for (const std::uint32_t points : pose.per_part) std::printf(" %u", points);
+    std::printf("\n");
+  }
+}
+
+// Nothing shows of some faults: what is turned hangs on a straight run alone, which looks the same
+// when it is turned as well.
+bool is_moot(const Scene& scene) {
+  for (const Defect& defect : scene.request.defects) {
+    if (defect.kind != DefectKind::kTurned) continue;
+    int part = 0;
+    const auto& members = scene.design.members;
+    while (members[static_cast<std::size_t>(part)].spec.name != defect.part) ++part;
+    bool is_straight = true;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      const PartKind kind = members[i].spec.kind;
+      if (hangs_on(scene.design, static_cast<int>(i), part)) continue;
+      is_straight = is_straight && (kind == PartKind::kPipe || kind == PartKind::kFlange);
+    }
+    if (is_straight) return true;
+  }
+  return false;
+}
+
+struct Saying {
+  bool each = false, tried = false;
+};
+
+Result<void> run(const FindRow& row, std::uint32_t seed, const Saying& say, Tally& tally) {
   SceneRequest request = row.request;
   request.seed = seed;
   const Scene scene = make_scene(request);
+  if (is_moot(scene)) {
+    if (say.each) std::printf("  %s %u: left out, nothing of it shows\n", row.name.c_str(), seed);
+    return {};
+  }
   const auto file = std::filesystem::temp_directory_path() /
                     ("find-campaign-" + std::to_string(getpid()) + ".glb");
   if (auto written = write_file_whole(file, scene.glb()); !written) return written.error();
@@ -141,25 +178,29 @@ Result<void> run(const Row& row, std::uint32_t seed, bool say_each, Tally& tally
     const Miss miss = miss_of(scene, **design, alignment.T_design_scan);
     const bool is_right = miss.mean_m < 0.01 * (*design)->finder->size_m;
     ++(is_right ? tally.right : tally.wrong);
-    tally.ambiguous += alignment.ambiguous ? 1 : 0;
+    tally.ambiguous += alignment.ambiguous && !alignment.is_symmetric ? 1 : 0;
     if (is_right) {
       tally.mean_mm.push_back(1000 * miss.mean_m);
       tally.angle_deg.push_back(miss.angle_rad * 180 / std::numbers::pi);
-      add_classes(scene, *inspection, tally);
+      add_classes(scene, *inspection, noise.constant_m, tally);
+      add_names(scene, *inspection, tally);
     }
     what = (is_right ? "right" : "WRONG") + std::string(alignment.ambiguous ? ", ambiguous" : "") +
            ", " + std::to_string(1000 * miss.mean_m) + " mm";
+    if (is_right)
+      what += ", VR " + std::to_string(tally.vr.back()) + ", NR " + std::to_string(tally.nr.back());
   }
   for (const Finding& finding : inspection->findings)
     if (!finding.part.empty())
       what += "; " + finding.kind + " " + finding.part + ": " + finding.text;
-  if (say_each) {
+  if (say.each) {
     std::printf("  %s %u: %s (object %zu of %zu)", row.name.c_str(), seed, what.c_str(),
                 scene.object_points, scene.cloud.size());
     for (const Defect& defect : scene.request.defects)
-      std::printf(" [defect of %s]", defect.part.c_str());
+      std::printf(" [%s: %s %s]", name(defect.kind), defect.part.c_str(), defect.other.c_str());
     std::printf("\n");
   }
+  if (say.tried) print_tried(scene, **design, noise.constant_m, seed);
   return {};
 }
 
@@ -170,24 +211,29 @@ double quantile(std::vector<double> values, double q) {
                          static_cast<std::size_t>(q * static_cast<double>(values.size())))];
 }
 
-Result<int> campaign(const std::string& filter, int seeds, int first, bool say_each) {
+Result<int> campaign(const std::string& filter, int seeds, int first, const Saying& say) {
   std::printf(
-      "| %-18s | right | wrong | silent | ambig | s med / max | mm med / max | deg max | VR med / "
+      "| %-21s | right | wrong | silent | ambig | named / of | misnamed | s med / max | mm med / "
+      "max | "
+      "deg max | VR med / "
       "max | NR med / max |\n",
       "scene");
-  for (const Row& row : rows()) {
+  for (const FindRow& row : find_rows()) {
     if (row.name.find(filter) == std::string::npos) continue;
     Tally tally;
     for (int seed = first; seed < first + seeds; ++seed)
-      if (auto done = run(row, static_cast<std::uint32_t>(seed), say_each, tally); !done)
+      if (auto done = run(row, static_cast<std::uint32_t>(seed), say, tally); !done)
         return done.error();
     std::printf(
-        "| %-18s | %5d | %5d | %6d | %5d | %.2f / %.2f | %.2f / %.2f | %.3f | %.4f / %.4f | %.4f / "
+        "| %-21s | %5d | %5d | %6d | %5d | %5d / %2d | %8d | %.2f / %.2f | %.2f / %.2f | %.3f | "
+        "%.4f / "
+        "%.4f | %.4f / "
         "%.4f |\n",
-        row.name.c_str(), tally.right, tally.wrong, tally.silent, tally.ambiguous,
-        quantile(tally.seconds, 0.5), quantile(tally.seconds, 1), quantile(tally.mean_mm, 0.5),
-        quantile(tally.mean_mm, 1), quantile(tally.angle_deg, 1), quantile(tally.vr, 0.5),
-        quantile(tally.vr, 1), quantile(tally.nr, 0.5), quantile(tally.nr, 1));
+        row.name.c_str(), tally.right, tally.wrong, tally.silent, tally.ambiguous, tally.named,
+        tally.at_fault, tally.misnamed, quantile(tally.seconds, 0.5), quantile(tally.seconds, 1),
+        quantile(tally.mean_mm, 0.5), quantile(tally.mean_mm, 1), quantile(tally.angle_deg, 1),
+        quantile(tally.vr, 0.5), quantile(tally.vr, 1), quantile(tally.nr, 0.5),
+        quantile(tally.nr, 1));
     std::fflush(stdout);
   }
   return 0;
@@ -200,12 +246,13 @@ int main(int argc, char** argv) {
   CLI::App app{"Finds designs in scenes of known truth and prints how often that was right."};
   std::string filter;
   int seeds = 10, first = 1;
-  bool say_each = false;
+  spool::campaign::Saying say;
   spool::add_common_options(app, "spoolsight-find-campaign");
   app.add_option("--rows", filter, "Only rows whose name holds this text")->type_name("TEXT");
   app.add_option("--seeds", seeds, "Scenes of each row")->capture_default_str()->type_name("N");
   app.add_option("--first", first, "First seed")->capture_default_str()->type_name("N");
-  app.add_flag("--each", say_each, "A line for each scene");
-  return spool::run_program(
-      app, argc, argv, [&] { return spool::campaign::campaign(filter, seeds, first, say_each); });
+  app.add_flag("--each", say.each, "A line for each scene");
+  app.add_flag("--tried", say.tried, "The poses that were weighed in each scene as well");
+  return spool::run_program(app, argc, argv,
+                            [&] { return spool::campaign::campaign(filter, seeds, first, say); });
 }
