@@ -117,6 +117,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.declutter = std::move(explanation.declutter);
     inspection.deviations = std::move(explanation.deviations);
     inspection.pieces = std::move(explanation.pieces);
+    inspection.unexpected = std::move(explanation.unexpected);
   } else if (!watch.cancelled()) {
     inspection.declutter = nothing_kept(scan.size(), options.declutter);
     inspection.deviations = no_deviations(scan.size());
@@ -132,6 +133,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.declutter = nothing_kept(scan.size(), options.declutter);
     inspection.deviations = {};
     inspection.pieces.clear();
+    inspection.unexpected.clear();
   }
   inspection.scan_rms_m = rms(inspection.deviations);
   const std::vector<int> missing =
@@ -140,9 +142,11 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
   judge_pieces(design, inspection.pieces, inspection.parts);
+  judge_unexpected(design, inspection.unexpected, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
   if (inspection.alignment.found)
-    for (Finding& finding : spool_findings(design, inspection.pieces, missing, inspection.parts))
+    for (Finding& finding : spool_findings(design, inspection.pieces, inspection.unexpected,
+                                           missing, inspection.parts))
       inspection.findings.push_back(std::move(finding));
   judge_whole(inspection, judging);
   clock.mark("judge");

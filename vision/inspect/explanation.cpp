@@ -70,6 +70,18 @@ ChainInput chain_input(const ExplainedDesign& design, const ExplainedScan& scan,
   return input;
 }
 
+void mark_contradicting(const ExplainedDesign& design, const ExplainedScan& scan,
+                        const std::vector<std::uint32_t>& points, Explanation& explanation) {
+  for (const std::uint32_t i : points) {
+    explanation.declutter.classes[i] = PointClass::kContradicting;
+    const auto nearest =
+        design.surface.closest(scan.design.points[i], std::numeric_limits<float>::max());
+    if (!nearest) continue;
+    explanation.deviations.distance_m[i] = nearest->distance;
+    explanation.deviations.part[i] = nearest->part;
+  }
+}
+
 bool is_thesis(const DeclutterOptions& options) {
   return options.method != DeclutterMethod::kThreeClasses || options.k > 0;
 }
@@ -108,16 +120,20 @@ void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan,
   if (is_thesis(options) || watch.cancelled()) return;
   explanation.pieces =
       moved_pieces(design, scan, explanation, joint_tree(design.model), kMostPieces, watch);
-  // Steel of the spool in another place is evidence.
-  for (const Piece& piece : explanation.pieces) {
-    for (const std::uint32_t i : piece.points) {
-      explanation.declutter.classes[i] = PointClass::kContradicting;
-      const auto nearest =
-          design.surface.closest(scan.design.points[i], std::numeric_limits<float>::max());
-      if (!nearest) continue;
-      explanation.deviations.distance_m[i] = nearest->distance;
-      explanation.deviations.part[i] = nearest->part;
-    }
+  // Steel of the spool in another place is evidence, and so is steel that should not be there.
+  for (const Piece& piece : explanation.pieces)
+    mark_contradicting(design, scan, piece.points, explanation);
+  const ChainInput input = chain_input(design, scan, explanation);
+  explanation.unexpected = unexpected_steel(design.model, design.surface,
+                                            {.object = input.explained,
+                                             .object_part = input.explained_part,
+                                             .left = input.left,
+                                             .planes = explanation.planes,
+                                             .noise_m = scan.noise_m},
+                                            watch);
+  for (Unexpected& unexpected : explanation.unexpected) {
+    for (std::uint32_t& i : unexpected.points) i = input.left_place[i];
+    mark_contradicting(design, scan, unexpected.points, explanation);
   }
   count_classes(explanation.declutter);
 }

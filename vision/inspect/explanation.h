@@ -15,6 +15,7 @@
 #include "vision/inspect/chain_pieces.h"
 #include "vision/inspect/declutter.h"
 #include "vision/inspect/deviation.h"
+#include "vision/inspect/unexpected.h"
 
 namespace spool {
 
@@ -29,7 +30,8 @@ struct Explanation {
   DeclutterResult declutter;  // the class of each scan point
   Deviations deviations;      // of object and contradicting points
   std::vector<Piece> pieces;  // of the spool that are there, elsewhere than the design has them
-  std::vector<DominantPlane> planes;  // floor, walls, tables; m, design frame
+  std::vector<Unexpected> unexpected;  // joined to the spool, and not the design's
+  std::vector<DominantPlane> planes;   // floor, walls, tables; m, design frame
 };
 
 // The scan as it is compared.
@@ -44,8 +46,8 @@ struct ExplainedScan {
 [[nodiscard]] Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& scan,
                                           const DeclutterOptions& options, const Watch& watch = {});
 
-// Adds pieces that are elsewhere, seen from the datum: their points contradict the design. Nothing
-// after a thesis method.
+// Adds pieces that are elsewhere, seen from the datum, and steel that is not the design's: their
+// points contradict it. Nothing after a thesis method.
 void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan,
                     const DeclutterOptions& options, const Watch& watch, Explanation& explanation);
 

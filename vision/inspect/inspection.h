@@ -16,6 +16,7 @@
 #include "vision/inspect/chain_pieces.h"
 #include "vision/inspect/declutter.h"
 #include "vision/inspect/deviation.h"
+#include "vision/inspect/unexpected.h"
 
 namespace spool {
 
@@ -67,8 +68,9 @@ struct Inspection {
   PointCloud scan_design;  // every input point in input order, in the design frame (design origin
                            // taken off)
   Deviations deviations;   // one entry a point of scan_design; none of a stopped inspection
-  std::vector<Piece> pieces;       // of the spool that are there, but elsewhere
-  std::vector<PartFinding> parts;  // in the design's order
+  std::vector<Piece> pieces;           // of the spool that are there, but elsewhere
+  std::vector<Unexpected> unexpected;  // steel on it that the design does not have
+  std::vector<PartFinding> parts;      // in the design's order
   std::vector<Finding> findings;
   Verdict status = Verdict::kNotMeasured;
   std::string status_reason;  // one sentence

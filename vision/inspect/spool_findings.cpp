@@ -35,9 +35,16 @@ std::string what_is_wrong(const DesignModel& design, const Piece& piece) {
   return name + " is elsewhere.";
 }
 
+std::string what_sticks_out(const DesignModel& design, const Unexpected& it) {
+  return "Something that the design does not have sticks out of " +
+         design.parts[static_cast<std::size_t>(it.part)].name + " by " +
+         rounded(1000 * it.reach_m) + " mm.";
+}
+
 }  // namespace
 
 std::vector<Finding> spool_findings(const DesignModel& design, const std::vector<Piece>& pieces,
+                                    const std::vector<Unexpected>& unexpected,
                                     const std::vector<int>& missing,
                                     const std::vector<PartFinding>& parts) {
   std::vector<Finding> findings;
@@ -52,6 +59,11 @@ std::vector<Finding> spool_findings(const DesignModel& design, const std::vector
                         std::to_string(piece.points.size()) +
                             " scan points lie on the design moved so, and not where it has them"});
   }
+  for (const Unexpected& it : unexpected)
+    findings.push_back({"unexpected", design.parts[static_cast<std::size_t>(it.part)].name,
+                        what_sticks_out(design, it),
+                        std::to_string(it.points.size()) +
+                            " scan points are joined to it, and to nothing that stands"});
   for (const int part : missing) {
     const auto p = static_cast<std::size_t>(part);
     if (is_elsewhere[p] != 0) continue;
@@ -77,6 +89,16 @@ void judge_pieces(const DesignModel& design, const std::vector<Piece>& pieces,
     PartFinding& named = parts[static_cast<std::size_t>(piece.part)];
     named.status = Verdict::kNotOk;
     named.reason = text;
+  }
+}
+
+void judge_unexpected(const DesignModel& design, const std::vector<Unexpected>& unexpected,
+                      std::vector<PartFinding>& parts) {
+  for (const Unexpected& it : unexpected) {
+    PartFinding& finding = parts[static_cast<std::size_t>(it.part)];
+    if (finding.status == Verdict::kNotOk) continue;
+    finding.status = Verdict::kSuspicious;
+    finding.reason = what_sticks_out(design, it);
   }
 }
 

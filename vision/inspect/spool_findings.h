@@ -10,11 +10,13 @@
 
 namespace spool {
 
-// A finding for every piece that is elsewhere (misplaced, wrong_size), and for every part of which
+// A finding for every piece that is elsewhere (misplaced, wrong_size), for what should not be there
+// (unexpected), and for every part of which
 // nothing shows although all round it does (missing_parts()), unless it is of such a piece.
 // `parts`: as judged, in the design's order.
 [[nodiscard]] std::vector<Finding> spool_findings(const DesignModel& design,
                                                   const std::vector<Piece>& pieces,
+                                                  const std::vector<Unexpected>& unexpected,
                                                   const std::vector<int>& missing,
                                                   const std::vector<PartFinding>& parts);
 
@@ -22,5 +24,9 @@ namespace spool {
 // features; what hangs on it moved with it.
 void judge_pieces(const DesignModel& design, const std::vector<Piece>& pieces,
                   std::vector<PartFinding>& parts);
+
+// What a part carries that the design does not have is to be looked at, whatever its features.
+void judge_unexpected(const DesignModel& design, const std::vector<Unexpected>& unexpected,
+                      std::vector<PartFinding>& parts);
 
 }  // namespace spool

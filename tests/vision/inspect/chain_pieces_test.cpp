@@ -259,7 +259,7 @@ TEST(SpoolFindings, APartOfAPieceElsewhereIsNotMissing) {
   piece.fault = PieceFault::kTurned;
   piece.amount = std::numbers::pi / 2;
   const std::vector<PartFinding> parts(6);
-  const auto findings = spool_findings(jointed().design, {piece}, {kTip, kEnd}, parts);
+  const auto findings = spool_findings(jointed().design, {piece}, {}, {kTip, kEnd}, parts);
   ASSERT_EQ(findings.size(), 2U);
   EXPECT_EQ(findings[0].kind, "misplaced");
   EXPECT_EQ(findings[0].text, "tip is turned by 90 degrees at W3 between arm and tip.");
