@@ -47,23 +47,45 @@ class CloudSurface final : public SurfaceKind {
     if (!query.allFinite() || !(max_distance >= 0)) return std::nullopt;
     const std::optional<Neighbour> nearest = index_.nearest(query, max_distance);
     if (!nearest) return std::nullopt;
-    SurfacePoint answer;
-    answer.part = 0;
-    answer.element = nearest->index;
-    const Eigen::Vector3f& anchor = points_[nearest->index];
-    const Eigen::Vector3f& normal = normals_[nearest->index];
-    const Eigen::Vector3f offset = query - anchor;
-    const float height = normal.dot(offset);
-    const float aside = (offset - height * normal).norm();
-    const float spacing = spacing_[nearest->index];
-    if (normal.isZero() || aside > kReachSpacings * spacing) {
-      answer.point = anchor;
-      answer.normal = normal;
-      answer.distance = std::copysign(nearest->distance, height);
-      return answer;
+    return answer_near(query, *nearest, [&](float reach, std::vector<Neighbour>& found) {
+      index_.nearest_k(query, kNeighbours, reach, found);
+    });
+  }
+
+  std::optional<SurfacePoint> closest(const Eigen::Vector3f& query, float max_distance,
+                                      float margin, SurfaceMemory& memory) const override {
+    if (!query.allFinite() || !(max_distance >= 0)) return std::nullopt;
+    thread_local std::vector<Neighbour> all;  // its memory only, as below
+    remembered(memory, query, all);
+    if (!answers(memory, query, max_distance, all)) {
+      // What is remembered bounds the search: so many points are no further.
+      const bool is_near = (!all.empty() && all.front().distance < max_distance) ||
+                           index_.is_within(query, max_distance + margin);
+      const float bound = all.size() == SurfaceMemory::kElements
+                              ? 1.001F * all.back().distance + kMemorySlack
+                              : std::numeric_limits<float>::max();
+      memory.elements.fill(SurfaceMemory::kNone);
+      memory.at = query;
+      memory.reach_m = max_distance + margin;
+      all.clear();
+      if (is_near) {
+        index_.nearest_k(query, SurfaceMemory::kElements, bound, all);
+        // Of equally far ones the last may stand for others: short of it all are there.
+        memory.reach_m = all.size() == SurfaceMemory::kElements ? all.back().distance
+                                                                : std::numeric_limits<float>::max();
+        for (std::size_t i = 0; i < all.size(); ++i) memory.elements[i] = all[i].index;
+      }
     }
-    blend(query, nearest->distance, spacing, normal, answer);
-    return answer;
+    if (all.empty() || !(all.front().distance < max_distance)) return std::nullopt;
+    return answer_near(query, all.front(), [&](float reach, std::vector<Neighbour>& found) {
+      found.clear();
+      for (const Neighbour& each : all)
+        if (found.size() < kNeighbours && each.distance < reach) found.push_back(each);
+    });
+  }
+
+  bool is_within(const Eigen::Vector3f& query, float max_distance) const override {
+    return query.allFinite() && max_distance >= 0 && index_.is_within(query, max_distance);
   }
 
   std::optional<RayHit> cast(const Eigen::Vector3f&, const Eigen::Vector3f&, float) const override {
@@ -71,13 +93,65 @@ class CloudSurface final : public SurfaceKind {
   }
 
  private:
+  // The remembered points by their distance from the query.
+  void remembered(const SurfaceMemory& memory, const Eigen::Vector3f& query,
+                  std::vector<Neighbour>& out) const {
+    out.clear();
+    if (memory.reach_m < 0) return;
+    for (const std::uint32_t i : memory.elements) {
+      if (i == SurfaceMemory::kNone) break;
+      // Short: sorted as they come in.
+      // Summed as the index does.
+      const Eigen::Array3f d = (points_[i] - query).array().square();
+      const Neighbour each{i, std::sqrt((d[0] + d[1]) + d[2])};
+      std::size_t at = out.size();
+      out.push_back(each);
+      for (; at > 0 && each.distance < out[at - 1].distance; --at) out[at] = out[at - 1];
+      out[at] = each;
+    }
+  }
+
+  // Whether the remembered points are all that an answer to this query needs.
+  [[nodiscard]] bool answers(const SurfaceMemory& memory, const Eigen::Vector3f& query,
+                             float max_distance, const std::vector<Neighbour>& sorted) const {
+    if (memory.reach_m < 0) return false;
+    const float known = memory.reach_m - (query - memory.at).norm() - kMemorySlack;
+    if (sorted.empty() || sorted.front().distance >= max_distance) return max_distance < known;
+    if (sorted.size() < kNeighbours) return sorted.back().distance < known;
+    return sorted[kNeighbours - 1].distance < known;
+  }
+
+  // The answer where `nearest` is the nearest point; `neighbours` gives those to blend within a
+  // reach, nearest first.
+  template <class Neighbours>
+  [[nodiscard]] SurfacePoint answer_near(const Eigen::Vector3f& query, const Neighbour& nearest,
+                                         const Neighbours& neighbours) const {
+    SurfacePoint answer;
+    answer.part = 0;
+    answer.element = nearest.index;
+    const Eigen::Vector3f& anchor = points_[nearest.index];
+    const Eigen::Vector3f& normal = normals_[nearest.index];
+    const Eigen::Vector3f offset = query - anchor;
+    const float height = normal.dot(offset);
+    const float aside = (offset - height * normal).norm();
+    const float spacing = spacing_[nearest.index];
+    if (normal.isZero() || aside > kReachSpacings * spacing) {
+      answer.point = anchor;
+      answer.normal = normal;
+      answer.distance = std::copysign(nearest.distance, height);
+      return answer;
+    }
+    thread_local std::vector<Neighbour> found;  // its memory only, emptied by each search
+    neighbours(std::hypot(nearest.distance, 2 * spacing), found);
+    blend(query, nearest.distance, spacing, normal, found, answer);
+    return answer;
+  }
+
   // The mean of the neighbours' tangent planes, weighted by nearness (implicit moving least
   // squares, Kolluri, SODA 2005), normals turned as the nearest one's.
   void blend(const Eigen::Vector3f& query, float nearest_distance, float spacing,
-             const Eigen::Vector3f& nearest_normal, SurfacePoint& answer) const {
-    thread_local std::vector<Neighbour> found;  // its memory only, emptied by each search
-    const float reach = std::hypot(nearest_distance, 2 * spacing);
-    index_.nearest_k(query, kNeighbours, reach, found);
+             const Eigen::Vector3f& nearest_normal, std::span<const Neighbour> found,
+             SurfacePoint& answer) const {
     const float squared_width = std::max(spacing * spacing, 1e-12F);
     float weight_sum = 0;
     float height_sum = 0;
