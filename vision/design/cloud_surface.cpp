@@ -13,6 +13,7 @@
 #include "vision/design/surface_kinds.h"
 #include "vision/scan/normals.h"
 #include "vision/scan/point_index.h"
+#include "vision/scan/spatial_order.h"
 
 namespace spool {
 namespace {
@@ -25,19 +26,32 @@ constexpr std::size_t kSpacingNeighbour = 6;  // its distance is what counts as 
 // the sampled surface: the point, not its plane, is then what is closest.
 constexpr float kReachSpacings = 1.5F;
 
+// What an answer reads of a design point, side by side: half a cache line.
+struct alignas(32) Sample {
+  Eigen::Vector3f point = Eigen::Vector3f::Zero();   // m
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit, zero where unknown
+  float spacing = 0;                                 // m
+  std::uint32_t place = 0;                           // in the design cloud
+};
+
 class CloudSurface final : public SurfaceKind {
  public:
-  CloudSurface(const CloudView& cloud, PointIndex index, std::vector<Eigen::Vector3f> estimated)
-      : points_(cloud.points), index_(std::move(index)), estimated_(std::move(estimated)) {
-    normals_ = estimated_.empty() ? cloud.normals : std::span<const Eigen::Vector3f>(estimated_);
-    spacing_.resize(points_.size(), 0);
-    parallel_chunks(points_.size(), 4096, [this](std::size_t begin, std::size_t end) {
+  // `places`: the finite points, in the order in which they are to lie in memory.
+  CloudSurface(const CloudView& cloud, std::span<const Eigen::Vector3f> normals,
+               std::span<const std::uint32_t> places) {
+    samples_.resize(places.size());
+    points_.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      points_[i] = cloud.points[places[i]];
+      samples_[i] = {points_[i], normals[places[i]], 0, places[i]};
+    }
+    index_ = PointIndex(points_);
+    parallel_chunks(samples_.size(), 4096, [this](std::size_t begin, std::size_t end) {
       std::vector<Neighbour> found;
       for (std::size_t i = begin; i < end; ++i) {
-        if (!points_[i].allFinite()) continue;
         index_.nearest_k(points_[i], kSpacingNeighbour + 1, std::numeric_limits<float>::max(),
                          found);
-        if (!found.empty()) spacing_[i] = found.back().distance;
+        if (!found.empty()) samples_[i].spacing = found.back().distance;
       }
     });
   }
@@ -102,7 +116,7 @@ class CloudSurface final : public SurfaceKind {
       if (i == SurfaceMemory::kNone) break;
       // Short: sorted as they come in.
       // Summed as the index does.
-      const Eigen::Array3f d = (points_[i] - query).array().square();
+      const Eigen::Array3f d = (samples_[i].point - query).array().square();
       const Neighbour each{i, std::sqrt((d[0] + d[1]) + d[2])};
       std::size_t at = out.size();
       out.push_back(each);
@@ -128,13 +142,14 @@ class CloudSurface final : public SurfaceKind {
                                          const Neighbours& neighbours) const {
     SurfacePoint answer;
     answer.part = 0;
-    answer.element = nearest.index;
-    const Eigen::Vector3f& anchor = points_[nearest.index];
-    const Eigen::Vector3f& normal = normals_[nearest.index];
+    const Sample& sample = samples_[nearest.index];
+    answer.element = sample.place;
+    const Eigen::Vector3f& anchor = sample.point;
+    const Eigen::Vector3f& normal = sample.normal;
     const Eigen::Vector3f offset = query - anchor;
     const float height = normal.dot(offset);
     const float aside = (offset - height * normal).norm();
-    const float spacing = spacing_[nearest.index];
+    const float spacing = sample.spacing;
     if (normal.isZero() || aside > kReachSpacings * spacing) {
       answer.point = anchor;
       answer.normal = normal;
@@ -157,13 +172,13 @@ class CloudSurface final : public SurfaceKind {
     float height_sum = 0;
     Eigen::Vector3f normal_sum = Eigen::Vector3f::Zero();
     for (const Neighbour& each : found) {
-      Eigen::Vector3f normal = normals_[each.index];
+      Eigen::Vector3f normal = samples_[each.index].normal;
       if (normal.dot(nearest_normal) < 0) normal = -normal;
       // Measured from the nearest one's distance: far from the surface all would weigh nothing.
       const float excess = each.distance * each.distance - nearest_distance * nearest_distance;
       const float weight = std::exp(-std::max(excess, 0.0F) / squared_width);
       weight_sum += weight;
-      height_sum += weight * normal.dot(query - points_[each.index]);
+      height_sum += weight * normal.dot(query - samples_[each.index].point);
       normal_sum += weight * normal;
     }
     answer.normal = normal_sum.normalized();
@@ -171,27 +186,30 @@ class CloudSurface final : public SurfaceKind {
     answer.point = query - answer.distance * answer.normal;
   }
 
-  std::span<const Eigen::Vector3f> points_;
-  std::span<const Eigen::Vector3f> normals_;
+  std::vector<Sample> samples_;
+  std::vector<Eigen::Vector3f> points_;  // theirs: what the index borrows
   PointIndex index_;
-  std::vector<Eigen::Vector3f> estimated_;
-  std::vector<float> spacing_;  // m, of each point
 };
 
 }  // namespace
 
 Result<std::unique_ptr<SurfaceKind>> make_cloud_surface(const CloudView& cloud) {
-  PointIndex index(cloud.points);
-  if (index.size() == 0) return Error{ErrorCode::kBadInput, "the design cloud has no finite point"};
-  std::vector<Eigen::Vector3f> estimated;
+  std::vector<std::uint32_t> places;
+  for (std::uint32_t i = 0; i < cloud.size(); ++i)
+    if (cloud.points[i].allFinite()) places.push_back(i);
+  if (places.empty()) return Error{ErrorCode::kBadInput, "the design cloud has no finite point"};
+  PointCloud estimated;
   if (!cloud.has_normals()) {
-    PointCloud copy;
-    copy.points.assign(cloud.points.begin(), cloud.points.end());
-    estimate_neighbour_normals(copy, index, kNormalNeighbours, std::nullopt);
-    estimated = std::move(copy.normals);
+    estimated.points.assign(cloud.points.begin(), cloud.points.end());
+    estimate_neighbour_normals(estimated, PointIndex(cloud.points), kNormalNeighbours,
+                               std::nullopt);
   }
-  return std::unique_ptr<SurfaceKind>(
-      std::make_unique<CloudSurface>(cloud, std::move(index), std::move(estimated)));
+  // Neighbours side by side in memory, whatever order the design's samples come in.
+  put_in_spatial_order(cloud.points, places);
+  return std::unique_ptr<SurfaceKind>(std::make_unique<CloudSurface>(
+      cloud,
+      cloud.has_normals() ? cloud.normals : std::span<const Eigen::Vector3f>(estimated.normals),
+      places));
 }
 
 }  // namespace spool
