@@ -9,92 +9,13 @@
 #include <cmath>
 #include <numeric>
 
-#include "vision/core/parallel.h"
+#include "vision/align/icp_matcher.h"
 
 namespace spool {
 namespace {
 
-constexpr std::size_t kGrain = 2048;
+constexpr double kMostMargin = 0.001;        // m
 constexpr std::size_t kCoarsePoints = 8000;  // while the gate is open, as many say as much as all
-
-// The points within reach of the surface, by place in the scan.
-using Indices = std::vector<std::uint32_t>;
-
-bool is_usable(const CloudView& scan, std::size_t i) { return scan.points[i].allFinite(); }
-
-// Points nearer than `reach` to the surface at pose T, in order.
-Indices near_points(const CloudView& scan, const DesignSurface& surface, const Pose& T, float reach,
-                    const Watch& watch) {
-  std::vector<std::uint8_t> near(scan.size(), 0);
-  const Eigen::Isometry3f T_f = T.cast<float>();
-  parallel_chunks(scan.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    if (watch.cancelled()) return;
-    for (std::size_t i = begin; i < end; ++i)
-      if (is_usable(scan, i)) near[i] = surface.closest(T_f * scan.points[i], reach).has_value();
-  });
-  Indices indices;
-  for (std::size_t i = 0; i < scan.size(); ++i)
-    if (near[i]) indices.push_back(static_cast<std::uint32_t>(i));
-  return indices;
-}
-
-// About `count` of them, evenly strewn whatever order the scan is in: those whose hash is least.
-Indices strewn(const Indices& all, std::size_t count) {
-  if (all.size() <= count) return all;
-  Indices some;
-  const auto limit = static_cast<std::uint32_t>(4294967295.0 * static_cast<double>(count) /
-                                                static_cast<double>(all.size()));
-  for (const std::uint32_t i : all) {
-    std::uint32_t h = i * 2654435761u;  // Knuth's multiplicative hash, then a mix
-    h ^= h >> 16;
-    h *= 2246822519u;
-    h ^= h >> 13;
-    if (h <= limit) some.push_back(i);
-  }
-  return some;
-}
-
-class Matcher {
- public:
-  Matcher(const CloudView& scan, const DesignSurface& surface, const IcpOptions& options)
-      : scan_(scan), surface_(surface), options_(options) {}
-
-  // Compares the chosen points at pose T; those beyond the gate, off an edge or facing elsewhere
-  // get weight 0, the rest weight 1.
-  void match(const Indices& indices, const Pose& T, double gate, const Watch& watch,
-             std::vector<Correspondence>& matches) const {
-    matches.assign(indices.size(), Correspondence{});
-    const Eigen::Isometry3f T_f = T.cast<float>();
-    const auto cosine = static_cast<float>(std::cos(options_.max_normal_angle_rad));
-    // Past an edge the closest point stops moving along the surface: it says nothing about the
-    // plane.
-    const auto off_edge = static_cast<float>(std::max(3 * options_.noise_m, 0.25 * gate));
-    const auto gate_f = static_cast<float>(gate);
-    parallel_chunks(indices.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-      if (watch.cancelled()) return;
-      for (std::size_t k = begin; k < end; ++k) {
-        const Eigen::Vector3f p = T_f * scan_.points[indices[k]];
-        const auto hit = surface_.closest(p, gate_f);
-        if (!hit || hit->normal.squaredNorm() < 0.5F) continue;
-        const Eigen::Vector3f offset = p - hit->point;
-        const float residual = hit->normal.dot(offset);
-        if (offset.squaredNorm() - residual * residual > off_edge * off_edge) continue;
-        if (scan_.has_normals()) {
-          const Eigen::Vector3f& n = scan_.normals[indices[k]];
-          const float facing = hit->normal.dot(T_f.linear() * n);
-          const bool known = n.squaredNorm() > 0.5F;
-          if (known && (options_.oriented_normals ? facing : std::abs(facing)) < cosine) continue;
-        }
-        matches[k] = {p, hit->normal, residual, 1.0F};
-      }
-    });
-  }
-
- private:
-  const CloudView& scan_;
-  const DesignSurface& surface_;
-  const IcpOptions& options_;
-};
 
 // The standard deviation (m) of the residuals that belong to the surface: 1.4826 times the median
 // of their sizes, after what lies evenly over the gate is taken off. How much that is, the outer
@@ -179,6 +100,13 @@ double displacement(const NormalEquations& equations, const Vector6d& step) {
   return std::sqrt(std::max(0.0, step.dot(equations.mass * step)));
 }
 
+// How far (m) the next step may move the points, of which the last one moved them by `last_step_m`.
+// More than a millimetre is not worth remembering for: too much surface lies round a point.
+double margin_for(double last_step_m) {
+  if (last_step_m > 2 * kMostMargin) return 0;
+  return std::clamp(last_step_m, 0.2 * kMostMargin, kMostMargin);
+}
+
 void summarise(const NormalEquations& equations, const HeldMotions& motions,
                const std::vector<Correspondence>& matches, double gate, IcpResult& result) {
   double sum = 0;
@@ -222,17 +150,19 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
   double reach = 2 * gate;
   Pose T_near = T;
   Indices near = near_points(scan, surface, T, static_cast<float>(reach), watch);
-  Indices chosen = last ? near : strewn(near, kCoarsePoints);
 
-  const Matcher matcher(scan, surface, options);
+  Matcher matcher(scan, surface, options);
+  matcher.choose(last ? near : strewn(near, kCoarsePoints));
   std::vector<Correspondence> matches;
   NormalEquations equations;
   HeldMotions motions;
   int at_level = 0;
+  double margin = last ? kMostMargin : 0;
   while (!watch.cancelled()) {
-    matcher.match(chosen, T, gate, watch, matches);
+    matcher.match(T, gate, margin, watch, matches);
     if (watch.cancelled()) break;
-    const double settled_gate = std::max(least_gate, 3 * residual_scale(matches, gate));
+    const double settled_gate =
+        last ? gate : std::max(least_gate, 3 * residual_scale(matches, gate));
     trim(matches, options.trim_fraction);
     weigh(matches, gate);
     equations = build_normal_equations(matches);
@@ -240,6 +170,7 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
     if (result.iterations >= options.max_iterations || equations.weight < 6) break;
     const Vector6d step = solve_held(equations, motions);
     T = moved(T, step, equations.centre);
+    margin = margin_for(displacement(equations, step));
     ++result.iterations;
     ++at_level;
     watch.report("align", static_cast<double>(result.iterations) / options.max_iterations);
@@ -256,7 +187,7 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
                       last ? std::min(gate, settled_gate) : std::max(settled_gate, 0.5 * gate));
       last = last || gate <= least_gate;
       at_level = 0;
-      if (last) chosen = near;
+      if (last) matcher.choose(near);
     }
     const Pose since = T * T_near.inverse();
     const double moved_m =
@@ -266,20 +197,21 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
       reach = last ? 4 * gate : 2 * gate;
       T_near = T;
       near = near_points(scan, surface, T, static_cast<float>(reach), watch);
-      chosen = last ? near : strewn(near, kCoarsePoints);
+      matcher.choose(last ? near : strewn(near, kCoarsePoints));
     }
   }
   if (!last && !watch.cancelled()) {
     // Out of iterations with the gate open: the figures still have to be those of the last gate.
     gate = std::max(least_gate, std::min(gate, 3 * residual_scale(matches, gate)));
-    matcher.match(near, T, gate, watch, matches);
+    matcher.choose(near);
+    matcher.match(T, gate, 0, watch, matches);
     weigh(matches, gate);
     equations = build_normal_equations(matches);
     motions = held_motions(equations, matches);
   }
   summarise(equations, motions, matches, gate, result);
   std::size_t finite = 0;
-  for (std::size_t i = 0; i < scan.size(); ++i) finite += is_usable(scan, i) ? 1U : 0U;
+  for (std::size_t i = 0; i < scan.size(); ++i) finite += scan.points[i].allFinite() ? 1U : 0U;
   result.overlap =
       finite == 0 ? 0 : static_cast<double>(result.correspondences) / static_cast<double>(finite);
   return result;

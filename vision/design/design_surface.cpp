@@ -39,6 +39,15 @@ std::optional<SurfacePoint> DesignSurface::closest(const Eigen::Vector3f& query,
   return impl_->kind->closest(query, max_distance);
 }
 
+std::optional<SurfacePoint> DesignSurface::closest(const Eigen::Vector3f& query, float max_distance,
+                                                   float margin, SurfaceMemory& memory) const {
+  return impl_->kind->closest(query, max_distance, margin, memory);
+}
+
+bool DesignSurface::is_within(const Eigen::Vector3f& query, float max_distance) const {
+  return impl_->kind->is_within(query, max_distance);
+}
+
 std::optional<RayHit> DesignSurface::cast(const Eigen::Vector3f& from,
                                           const Eigen::Vector3f& direction,
                                           float max_distance) const {

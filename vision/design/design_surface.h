@@ -11,6 +11,7 @@
 #include "vision/core/cloud_view.h"
 #include "vision/core/result.h"
 #include "vision/design/design_model.h"
+#include "vision/design/surface_memory.h"
 
 namespace spool {
 
@@ -46,6 +47,14 @@ class DesignSurface {
   // angle-weighted pseudonormal (Baerentzen & Aanaes 2005) at edges and vertices.
   [[nodiscard]] std::optional<SurfacePoint> closest(const Eigen::Vector3f& query,
                                                     float max_distance) const;
+  // The same answer, to the bit where no two elements are equally near, for a query that comes back
+  // a little moved: `memory` (one for each such query) answers while it can, else is searched anew
+  // `margin` (m) further than the answer needs, which is room for the query to move in by half.
+  [[nodiscard]] std::optional<SurfacePoint> closest(const Eigen::Vector3f& query,
+                                                    float max_distance, float margin,
+                                                    SurfaceMemory& memory) const;
+  // Whether closest() would give an answer; quicker.
+  [[nodiscard]] bool is_within(const Eigen::Vector3f& query, float max_distance) const;
   // The first surface along a ray, within `max_distance` (m); always nothing for a cloud design.
   [[nodiscard]] std::optional<RayHit> cast(const Eigen::Vector3f& from,
                                            const Eigen::Vector3f& direction,

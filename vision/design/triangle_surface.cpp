@@ -1,6 +1,8 @@
 // Closest point and first hit on triangles: Embree's tree, our triangle arithmetic and sign.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -55,6 +57,69 @@ bool visit(RTCPointQueryFunctionArguments* arguments) {
   return true;
 }
 
+// What a search carries that leaves a memory behind: the nearest triangles, nearest first, of
+// equally near ones the first in the file.
+struct WideSearch {
+  const Corners* corners = nullptr;
+  Eigen::Vector3f query = Eigen::Vector3f::Zero();
+  float margin = 0;
+  float radius = 0;  // all nearer than this are kept
+  std::size_t count = 0;
+  std::array<float, SurfaceMemory::kElements> squared{};
+  std::array<std::uint32_t, SurfaceMemory::kElements> primitive{};
+};
+
+bool visit_wide(RTCPointQueryFunctionArguments* arguments) {
+  WideSearch& search = *static_cast<WideSearch*>(arguments->userPtr);
+  const std::uint32_t primitive = arguments->primID;
+  const Corners& p = search.corners[primitive];
+  const float squared =
+      closest_to_origin(p[0] - search.query, p[1] - search.query, p[2] - search.query)
+          .point.squaredNorm();
+  if (!(squared < search.radius * search.radius)) return false;
+  const auto goes_before = [&](std::size_t i) {
+    return squared < search.squared[i] ||
+           (squared == search.squared[i] && primitive < search.primitive[i]);
+  };
+  constexpr std::size_t kMost = SurfaceMemory::kElements;
+  const bool was_full = search.count == kMost;
+  if (!was_full) ++search.count;
+  std::size_t i = search.count - 1;
+  if (was_full && !goes_before(i)) {
+    search.radius = std::sqrt(search.squared[i]);  // equally near: not all of those are kept
+  } else {
+    for (; i > 0 && goes_before(i - 1); --i) {
+      search.squared[i] = search.squared[i - 1];
+      search.primitive[i] = search.primitive[i - 1];
+    }
+    search.squared[i] = squared;
+    search.primitive[i] = primitive;
+    search.radius = std::min(search.radius, std::sqrt(search.squared[0]) + search.margin);
+    if (was_full) search.radius = std::min(search.radius, std::sqrt(search.squared[kMost - 1]));
+  }
+  if (!(search.radius < arguments->query->radius)) return false;
+  arguments->query->radius = search.radius;
+  return true;
+}
+
+// Ends the search at the first triangle that the ball touches.
+struct AnySearch {
+  const Corners* corners = nullptr;
+  Eigen::Vector3f query = Eigen::Vector3f::Zero();
+  float squared = 0;
+  bool found = false;
+};
+
+bool visit_any(RTCPointQueryFunctionArguments* arguments) {
+  AnySearch& search = *static_cast<AnySearch*>(arguments->userPtr);
+  if (search.found) return false;
+  const Corners& p = search.corners[arguments->primID];
+  search.found = closest_to_origin(p[0] - search.query, p[1] - search.query, p[2] - search.query)
+                     .point.squaredNorm() <= search.squared;
+  if (search.found) arguments->query->radius = 0;
+  return search.found;
+}
+
 class TriangleSurface final : public SurfaceKind {
  public:
   TriangleSurface(DevicePointer device, ScenePointer scene, std::vector<Corners> corners,
@@ -79,15 +144,46 @@ class TriangleSurface final : public SurfaceKind {
     rtcInitPointQueryContext(&context);
     rtcPointQuery(scene_.get(), &ball, &context, &visit, &search);
     if (search.primitive == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    SurfacePoint answer;
-    answer.element = triangle_[search.primitive];
-    answer.part = part_[answer.element];
-    answer.point = query + search.best.point;
-    answer.normal = normals_[answer.element][static_cast<std::size_t>(search.best.feature)];
-    // best.point leads from the query to the surface: outside it runs against the normal.
-    const float length = std::sqrt(search.best_squared);
-    answer.distance = answer.normal.dot(search.best.point) > 0 ? -length : length;
-    return answer;
+    return answer_from(search);
+  }
+
+  std::optional<SurfacePoint> closest(const Eigen::Vector3f& query, float max_distance,
+                                      float margin, SurfaceMemory& memory) const override {
+    if (!query.allFinite() || !(max_distance >= 0)) return std::nullopt;
+    Search search = among(memory, query, max_distance);
+    const float moved = (query - memory.at).norm();
+    const bool found = search.primitive != RTC_INVALID_GEOMETRY_ID;
+    const float needed = found ? std::sqrt(search.best_squared) : max_distance;
+    if (needed + moved + kMemorySlack < memory.reach_m)
+      return found ? std::optional(answer_from(search)) : std::nullopt;
+
+    // Nothing is nearer than what was found among those remembered, so it need not look further.
+    WideSearch wide;
+    wide.corners = corners_.data();
+    wide.query = query;
+    wide.margin = margin + 2 * kMemorySlack;
+    wide.radius = needed + wide.margin;
+    RTCPointQuery ball{query.x(), query.y(), query.z(), 0.0F, wide.radius};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_.get(), &ball, &context, &visit_wide, &wide);
+    memory.at = query;
+    memory.reach_m = wide.radius;
+    memory.elements.fill(SurfaceMemory::kNone);
+    std::copy_n(wide.primitive.begin(), wide.count, memory.elements.begin());
+    search = among(memory, query, max_distance);
+    if (search.primitive == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return answer_from(search);
+  }
+
+  bool is_within(const Eigen::Vector3f& query, float max_distance) const override {
+    if (!query.allFinite() || !(max_distance >= 0)) return false;
+    AnySearch search{corners_.data(), query, max_distance * max_distance};
+    RTCPointQuery ball{query.x(), query.y(), query.z(), 0.0F, max_distance};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_.get(), &ball, &context, &visit_any, &search);
+    return search.found;
   }
 
   std::optional<RayHit> cast(const Eigen::Vector3f& from, const Eigen::Vector3f& direction,
@@ -113,6 +209,39 @@ class TriangleSurface final : public SurfaceKind {
   }
 
  private:
+  // The nearest of the triangles that are remembered, by the same arithmetic as visit().
+  [[nodiscard]] Search among(const SurfaceMemory& memory, const Eigen::Vector3f& query,
+                             float max_distance) const {
+    Search search;
+    search.query = query;
+    search.best_squared = max_distance * max_distance;
+    if (memory.reach_m < 0) return search;
+    for (const std::uint32_t primitive : memory.elements) {
+      if (primitive == SurfaceMemory::kNone) break;
+      const Corners& p = corners_[primitive];
+      const TrianglePoint found = closest_to_origin(p[0] - query, p[1] - query, p[2] - query);
+      const float squared = found.point.squaredNorm();
+      if (!(squared <= search.best_squared)) continue;
+      if (squared == search.best_squared && primitive >= search.primitive) continue;
+      search.best_squared = squared;
+      search.best = found;
+      search.primitive = primitive;
+    }
+    return search;
+  }
+
+  [[nodiscard]] SurfacePoint answer_from(const Search& search) const {
+    SurfacePoint answer;
+    answer.element = triangle_[search.primitive];
+    answer.part = part_[answer.element];
+    answer.point = search.query + search.best.point;
+    answer.normal = normals_[answer.element][static_cast<std::size_t>(search.best.feature)];
+    // best.point leads from the query to the surface: outside it runs against the normal.
+    const float length = std::sqrt(search.best_squared);
+    answer.distance = answer.normal.dot(search.best.point) > 0 ? -length : length;
+    return answer;
+  }
+
   DevicePointer device_;
   ScenePointer scene_;
   std::vector<Corners> corners_;          // of each Embree primitive, side by side for the cache

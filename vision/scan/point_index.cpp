@@ -45,7 +45,7 @@ struct WatchedPoints : FinitePoints {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, FinitePoints>,
                                                  WatchedPoints, 3, std::uint32_t>;
 
-// The three result sets: what nanoflann asks of one is worstDist() (squared, shrinking) and
+// The result sets: what nanoflann asks of one is worstDist() (squared, shrinking) and
 // addPoint(). Distances stay squared until the search is over.
 struct Nearest {
   using DistanceType = float;
@@ -65,6 +65,20 @@ struct Nearest {
   }
 };
 
+// addPoint() says whether to go on: not once there is one.
+struct Any {
+  using DistanceType = float;
+  float bound;
+  bool found = false;
+  [[nodiscard]] std::size_t size() const { return found ? 1 : 0; }
+  [[nodiscard]] bool full() const { return true; }
+  [[nodiscard]] float worstDist() const { return bound; }
+  bool addPoint(float squared, std::uint32_t /*i*/) {
+    found = squared < bound;
+    return !found;
+  }
+};
+
 struct NearestK {
   using DistanceType = float;
   std::vector<Neighbour>& out;  // sorted by (squared) distance
@@ -75,9 +89,8 @@ struct NearestK {
   [[nodiscard]] float worstDist() const { return out.size() < k ? bound : out.back().distance; }
   bool addPoint(float squared, std::uint32_t i) {
     if (!(squared < worstDist())) return true;
-    if (out.size() == k) out.pop_back();
-    std::size_t at = out.size();
-    out.push_back({});
+    if (out.size() < k) out.push_back({});
+    std::size_t at = out.size() - 1;
     for (; at > 0 && out[at - 1].distance > squared; --at) out[at] = out[at - 1];
     out[at] = {i, squared};
     return true;
@@ -176,6 +189,12 @@ std::optional<Neighbour> PointIndex::nearest(const Eigen::Vector3f& query,
   impl_->search(set, query);
   if (!set.found) return std::nullopt;
   return Neighbour{impl_->cloud.places[set.best], std::sqrt(set.bound)};
+}
+
+bool PointIndex::is_within(const Eigen::Vector3f& query, float max_distance) const {
+  Any set{max_distance * max_distance};
+  impl_->search(set, query);
+  return set.found;
 }
 
 void PointIndex::nearest_k(const Eigen::Vector3f& query, std::size_t k, float max_distance,

@@ -35,6 +35,8 @@ class PointIndex {
   [[nodiscard]] std::size_t size() const;  // finite points indexed
   [[nodiscard]] std::optional<Neighbour> nearest(const Eigen::Vector3f& query,
                                                  float max_distance) const;
+  // Whether there is one; ends at the first that is met.
+  [[nodiscard]] bool is_within(const Eigen::Vector3f& query, float max_distance) const;
   // Up to k neighbours, nearest first, appended to nothing: `out` is cleared (its memory is
   // reused).
   void nearest_k(const Eigen::Vector3f& query, std::size_t k, float max_distance,

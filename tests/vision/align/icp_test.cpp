@@ -3,7 +3,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/align/icp.h"
 
+#include <array>
 #include <random>
+#include <thread>
+#include <vector>
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>
@@ -226,6 +229,58 @@ TEST(Icp, SameInputSameBits) {
   const IcpResult b = refine_icp(scan, surface, guess);
   EXPECT_EQ(a.T_design_scan.matrix(), b.T_design_scan.matrix());
   EXPECT_EQ(a.covariance, b.covariance);
+}
+
+TEST(Icp, SameBitsWhoeverElseWantsTheThreads) {
+  // Four at once share out the pool's threads anew in every loop; alone one has them all.
+  const auto rods = test::tee_spool();
+  const DesignModel design = test::design_of(rods);
+  const DesignSurface surface = surface_over(design);
+  std::mt19937 random{12};
+  const PointCloud scan =
+      test::scan_of(rods, Pose::Identity(), {.points = 15000, .noise_m = 0.001}, random);
+  const Pose guess = test::random_motion(0.01, 0.02, random);
+  const IcpResult alone = refine_icp(scan, surface, guess);
+  std::array<IcpResult, 4> together;
+  std::vector<std::jthread> threads;
+  for (IcpResult& result : together)
+    threads.emplace_back([&] { result = refine_icp(scan, surface, guess); });
+  threads.clear();
+  for (const IcpResult& result : together) {
+    EXPECT_EQ(result.T_design_scan.matrix(), alone.T_design_scan.matrix());
+    EXPECT_EQ(result.covariance, alone.covariance);
+    EXPECT_EQ(result.correspondences, alone.correspondences);
+  }
+}
+
+TEST(Icp, OntoACloudComesWithinAFractionOfTheNoiseInTenIterations) {
+  // 3 degrees and 30 mm off, a table and a cover kept: 0.4 mm, mean, is what other libraries reach
+  // with a robust kernel only. The cloud's own sampling (3 mm) is what it is compared to.
+  const auto rods = test::tee_spool();
+  std::mt19937 random{13};
+  const PointCloud target = test::scan_of(rods, Pose::Identity(), {.points = 40000}, random);
+  const Result<DesignSurface> surface = DesignSurface::build(CloudView(target));
+  ASSERT_TRUE(surface);
+  const DesignModel design = test::design_of(rods);
+  for (int trial = 0; trial < 3; ++trial) {
+    PointCloud scan =
+        test::scan_of(rods, Pose::Identity(), {.points = 8000, .noise_m = 0.003}, random);
+    add_plane(scan, Pose::Identity(), {-0.5, -0.09, -0.5}, {0, 0, 1.8}, {1.2, 0, 0}, 4000, random);
+    // A cover that stands 20 mm off one side of the pipe: what a gate that stays open, or weights
+    // that are not robust, would be drawn to.
+    Rod cover = rods[0];
+    cover.radius += 0.02;
+    const PointCloud off =
+        test::scan_of({cover}, Pose::Identity(),
+                      {.points = 3000, .towards = {1, 0.3, 0}, .with_ends = false}, random);
+    scan.points.insert(scan.points.end(), off.points.begin(), off.points.end());
+    scan.normals.clear();
+    const Pose guess = test::random_motion(0.03, 0.0524, random);
+    const IcpResult found = refine_icp(scan, *surface, guess, {.max_iterations = 10});
+    EXPECT_LE(found.iterations, 10);
+    EXPECT_LT(test::displacement_at(design.bounds(), found.T_design_scan, Pose::Identity()), 0.0008)
+        << "trial " << trial;  // the worst corner of the box: twice the mean
+  }
 }
 
 TEST(Icp, NoIterationsOnlyMeasures) {
