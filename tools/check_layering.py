@@ -45,8 +45,9 @@ ONLY_IN = {
     r"nlohmann/": ["app", "tools", "tests", "render"],
     r"X11/": ["app"],
     r"png\.h": ["render", "app/sensor", "tests"],
-    r"open3d/": ["tools/compare/open3d_icp.cpp", "tools/compare/open3d_find.cpp"],
-    r"pcl/": ["tools/compare/pcl_icp.cpp", "tools/compare/pcl_find.cpp"],
+    r"open3d/": ["tools/compare/open3d_cloud.h", "tools/compare/open3d_icp.cpp",
+                 "tools/compare/open3d_find.cpp"],
+    r"pcl/": ["tools/compare/pcl_cloud.h", "tools/compare/pcl_icp.cpp", "tools/compare/pcl_find.cpp"],
 }
 # Within a folder that may use a library, these files alone include its headers.
 ONE_FILE = {r"imgui": ("render", "render/imgui_pass"), r"OpenNI\.h": ("app/sensor", "app/sensor/openni")}

@@ -4,7 +4,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <numbers>
 #include <set>
 #include <string>
@@ -14,40 +13,12 @@
 
 #include "app/common/cli.h"
 #include "tools/campaign/find_rows.h"
-#include "tools/campaign/scene.h"
-#include "vision/core/file_io.h"
-#include "vision/design/design_reader.h"
+#include "tools/campaign/find_trial.h"
 #include "vision/find/finder.h"
-#include "vision/inspector.h"
-#include "vision/scan/noise_estimate.h"
 #include "vision/scan/point_index.h"
 
 namespace spool::campaign {
 namespace {
-
-// How far off a found pose is: displacement of the design's own points, mean, and the angle.
-struct Miss {
-  double mean_m = 1e9;
-  double angle_rad = 4;
-};
-
-Miss miss_of(const Scene& scene, const PreparedDesign& design, const Pose& T_design_scan) {
-  Miss least;
-  std::vector<Pose> symmetries = scene.symmetries;
-  if (symmetries.empty()) symmetries.push_back(Pose::Identity());
-  for (const Instance& object : scene.objects)
-    for (const Pose& symmetry : symmetries) {
-      const Pose error = symmetry * T_design_scan * object.T_scan_design;
-      double sum = 0;
-      for (const Eigen::Vector3f& p : design.samples.cloud.points) {
-        const Eigen::Vector3d q = p.cast<double>() + design.model.origin;
-        sum += (error * q - q).norm();
-      }
-      const double mean = sum / static_cast<double>(design.samples.cloud.size());
-      if (mean < least.mean_m) least = {mean, pose_size(error).rotation_rad};
-    }
-  return least;
-}
 
 struct Tally {
   int right = 0, wrong = 0, silent = 0, ambiguous = 0;
@@ -106,20 +77,18 @@ void add_names(const Scene& scene, const Inspection& inspection, Tally& tally) {
 }
 
 // The poses that were weighed, and what speaks for each.
-void print_tried(const Scene& scene, const PreparedDesign& design, double noise_m,
-                 std::uint32_t seed) {
-  const FindResult result =
-      find_design(*design.finder, scene.cloud.points, {.noise_m = noise_m, .seed = seed});
-  std::printf("    noise %.2f mm, %zu points thinned, %d planes, %d rounds\n", 1000 * noise_m,
+void print_tried(const FindTrial& trial, std::uint32_t seed) {
+  const FindResult result = find_design(*trial.design->finder, trial.scene.cloud.points,
+                                        {.noise_m = trial.noise_m, .seed = seed});
+  std::printf("    noise %.2f mm, %zu points thinned, %d planes, %d rounds\n", 1000 * trial.noise_m,
               result.thinned_to, result.planes, result.rounds);
   for (std::size_t i = 0; i < std::min<std::size_t>(8, result.tried.size()); ++i) {
     const PoseEvidence& pose = result.tried[i];
-    const Eigen::Translation3d origin(design.model.origin);
-    const Pose T = origin * pose.T_design_scan;
+    const Pose T = Eigen::Translation3d(trial.design->model.origin) * pose.T_design_scan;
     std::printf(
         "    off %7.1f mm: explains %zu, %.0f by chance, coverage %.2f, free %d, scale %.2f mm, "
         "drawn %d; parts",
-        1000 * miss_of(scene, design, T).mean_m, pose.explained, pose.chance, pose.coverage,
+        1000 * miss_of(trial, T).mean_m, pose.explained, pose.chance, pose.coverage,
         pose.free_motions, 1000 * pose.scale_m, pose.hits);
     for (const std::uint32_t points : pose.per_part) std::printf(" %u", points);
     std::printf("\n");
@@ -152,22 +121,16 @@ struct Saying {
 Result<void> run(const FindRow& row, std::uint32_t seed, const Saying& say, Tally& tally) {
   SceneRequest request = row.request;
   request.seed = seed;
-  const Scene scene = make_scene(request);
+  auto trial = make_find_trial(make_scene(request));
+  if (!trial) return trial.error();
+  const Scene& scene = trial->scene;
   if (is_moot(scene)) {
     if (say.each) std::printf("  %s %u: left out, nothing of it shows\n", row.name.c_str(), seed);
     return {};
   }
-  const auto file = std::filesystem::temp_directory_path() /
-                    ("find-campaign-" + std::to_string(getpid()) + ".glb");
-  if (auto written = write_file_whole(file, scene.glb()); !written) return written.error();
-  auto model = read_design(file);
-  std::filesystem::remove(file);
-  if (!model) return model.error();
-  const auto design = PreparedDesign::prepare(std::move(*model), 1, true);
-  if (!design) return design.error();
-  const NoiseModel noise{.constant_m = estimate_noise(scene.cloud)};
-  auto inspection =
-      Inspector(*design).process(scene.cloud, noise, {.align = AlignMethod::kFind, .seed = seed});
+  const NoiseModel noise{.constant_m = trial->noise_m};
+  auto inspection = Inspector(trial->design)
+                        .process(scene.cloud, noise, {.align = AlignMethod::kFind, .seed = seed});
   if (!inspection) return inspection.error();
   const Alignment& alignment = inspection->alignment;
   tally.seconds.push_back(inspection->timing_s["find"]);
@@ -175,8 +138,8 @@ Result<void> run(const FindRow& row, std::uint32_t seed, const Saying& say, Tall
   if (!alignment.found) {
     ++tally.silent;
   } else {
-    const Miss miss = miss_of(scene, **design, alignment.T_design_scan);
-    const bool is_right = miss.mean_m < 0.01 * (*design)->finder->size_m;
+    const Miss miss = miss_of(*trial, alignment.T_design_scan);
+    const bool is_right = miss.mean_m < 0.01 * trial->design->finder->size_m;
     ++(is_right ? tally.right : tally.wrong);
     tally.ambiguous += alignment.ambiguous && !alignment.is_symmetric ? 1 : 0;
     if (is_right) {
@@ -200,7 +163,7 @@ Result<void> run(const FindRow& row, std::uint32_t seed, const Saying& say, Tall
       std::printf(" [%s: %s %s]", name(defect.kind), defect.part.c_str(), defect.other.c_str());
     std::printf("\n");
   }
-  if (say.tried) print_tried(scene, **design, noise.constant_m, seed);
+  if (say.tried) print_tried(*trial, seed);
   return {};
 }
 

@@ -13,8 +13,8 @@ namespace spool::compare {
 namespace {
 
 // Ours reads the whole scan, thins it itself and works out its normals; the others are given both.
-std::optional<Pose> ours(const FindScene& of) {
-  const FindResult found = find_design(*of.design->finder, of.scene.cloud.points,
+std::optional<Pose> ours(const ComparedTrial& of) {
+  const FindResult found = find_design(*of.trial.design->finder, of.trial.scene.cloud.points,
                                        {.noise_m = of.points.noise_m, .seed = of.points.seed});
   if (!found.found) return std::nullopt;
   return found.best.T_design_scan;
@@ -22,7 +22,7 @@ std::optional<Pose> ours(const FindScene& of) {
 
 struct Method {
   std::string name;
-  std::function<std::optional<Pose>(const FindScene&)> find;
+  std::function<std::optional<Pose>(const ComparedTrial&)> find;
 };
 
 std::vector<Method> methods() {
@@ -30,7 +30,7 @@ std::vector<Method> methods() {
   [[maybe_unused]] const auto add = [&](const std::vector<FindContender>& more) {
     for (const FindContender& each : more)
       all.push_back(
-          {each.name, [find = each.find](const FindScene& of) { return find(of.points); }});
+          {each.name, [find = each.find](const ComparedTrial& of) { return find(of.points); }});
   };
 #ifdef SPOOL_COMPARE_OPEN3D
   add(open3d_find());
@@ -57,7 +57,7 @@ double most(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-void judge(const FindScene& of, const Method& method, Tally& tally) {
+void judge(const ComparedTrial& of, const Method& method, Tally& tally) {
   const auto start = std::chrono::steady_clock::now();
   const std::optional<Pose> pose = method.find(of);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
@@ -79,18 +79,18 @@ Result<int> compare(const std::string& filter, const std::string& only, int seed
   std::printf(
       "| scene | method | right / wrong / silent | s, median / most | mean displacement of "
       "the right, median / most |\n|---|---|---|---|---|\n");
-  for (const FindRow& row : find_rows()) {
+  for (const campaign::FindRow& row : compared_rows()) {
     if (row.name.find(filter) == std::string::npos) continue;
     const std::vector<Method> all = methods();
     std::vector<Tally> tallies(all.size());
     for (int seed = 1; seed <= seeds; ++seed) {
       campaign::SceneRequest request = row.request;
       request.seed = static_cast<std::uint32_t>(seed);
-      const auto scene = make_find_scene(request);
+      const auto scene = make_compared_trial(request);
       if (!scene) return scene.error();
       std::fprintf(stderr, "%s %d: %zu points, thinned for the others to %zu onto %zu\n",
-                   row.name.c_str(), seed, scene->scene.cloud.size(), scene->points.scan.size(),
-                   scene->points.design.size());
+                   row.name.c_str(), seed, scene->trial.scene.cloud.size(),
+                   scene->points.scan.size(), scene->points.design.size());
       for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i].name.find(only) != std::string::npos) judge(*scene, all[i], tallies[i]);
     }

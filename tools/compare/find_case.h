@@ -3,33 +3,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "tools/campaign/scene.h"
+#include "tools/campaign/find_rows.h"
+#include "tools/campaign/find_trial.h"
 #include "tools/compare/contender.h"
 #include "vision/core/result.h"
 
 namespace spool::compare {
 
-struct FindRow {
-  std::string name;
-  campaign::SceneRequest request;
-};
-
-// Spool and frame among little and much clutter, few points, half of it, and without the object.
-[[nodiscard]] std::vector<FindRow> find_rows();
+// Of the campaign's rows spool and frame among little and much clutter, few points, half of it, and
+// without the object: the others take minutes for some.
+[[nodiscard]] std::vector<campaign::FindRow> compared_rows();
 
 // A scene with its design prepared for our finder and sampled for the others.
-struct FindScene {
-  campaign::Scene scene;
-  std::shared_ptr<const PreparedDesign> design;
+struct ComparedTrial {
+  campaign::FindTrial trial;
   FindCase points;  // for the others: scan and design, thinned to the same spacing, with normals
 };
-[[nodiscard]] Result<FindScene> make_find_scene(const campaign::SceneRequest& request);
+[[nodiscard]] Result<ComparedTrial> make_compared_trial(const campaign::SceneRequest& request);
 
-// Displacement (m) of the design's points that the pose is off by, modulo the design's own symmetry
-// and for the nearest object: the mean of them. Huge where no object stands there.
-[[nodiscard]] double mean_miss(const FindScene& of, const Pose& T_design_scan);
+// Mean displacement (m) of the design's points by a pose between the rebased frames.
+[[nodiscard]] double mean_miss(const ComparedTrial& of, const Pose& T_design_scan);
 
 }  // namespace spool::compare

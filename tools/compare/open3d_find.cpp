@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <open3d/geometry/KDTreeSearchParam.h>
-#include <open3d/geometry/PointCloud.h>
 #include <open3d/pipelines/registration/CorrespondenceChecker.h>
 #include <open3d/pipelines/registration/FastGlobalRegistration.h>
 #include <open3d/pipelines/registration/Feature.h>
@@ -10,19 +9,13 @@
 #include <open3d/utility/Random.h>
 
 #include "tools/compare/contender.h"
+#include "tools/compare/open3d_cloud.h"
 
 namespace spool::compare {
 namespace {
 
 namespace registration = open3d::pipelines::registration;
 using Cloud = open3d::geometry::PointCloud;
-
-Cloud to_open3d(const PointCloud& from) {
-  Cloud to;
-  for (const Eigen::Vector3f& p : from.points) to.points_.push_back(p.cast<double>());
-  for (const Eigen::Vector3f& n : from.normals) to.normals_.push_back(n.cast<double>());
-  return to;
-}
 
 // Radii as Open3D's own tutorial takes them: five spacings, at most 100 neighbours.
 std::shared_ptr<registration::Feature> features(const Cloud& cloud, double spacing_m) {

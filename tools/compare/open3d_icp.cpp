@@ -2,25 +2,18 @@
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <open3d/geometry/KDTreeFlann.h>
-#include <open3d/geometry/PointCloud.h>
 #include <open3d/pipelines/registration/GeneralizedICP.h>
 #include <open3d/pipelines/registration/Registration.h>
 #include <open3d/pipelines/registration/RobustKernel.h>
 
 #include "tools/compare/contender.h"
+#include "tools/compare/open3d_cloud.h"
 
 namespace spool::compare {
 namespace {
 
 namespace registration = open3d::pipelines::registration;
 using Cloud = open3d::geometry::PointCloud;
-
-Cloud to_open3d(const PointCloud& from) {
-  Cloud to;
-  for (const Eigen::Vector3f& p : from.points) to.points_.push_back(p.cast<double>());
-  for (const Eigen::Vector3f& n : from.normals) to.normals_.push_back(n.cast<double>());
-  return to;
-}
 
 // It stops where fitness and RMSE change by less than these: never.
 registration::ICPConvergenceCriteria exactly(int iterations) { return {-1.0, -1.0, iterations}; }

@@ -14,6 +14,7 @@
 #include <pcl/registration/sample_consensus_prerejective.h>
 
 #include "tools/compare/contender.h"
+#include "tools/compare/pcl_cloud.h"
 
 namespace spool::compare {
 namespace {
@@ -21,17 +22,6 @@ namespace {
 using Point = pcl::PointNormal;
 using Cloud = pcl::PointCloud<Point>;
 using Features = pcl::PointCloud<pcl::FPFHSignature33>;
-
-Cloud::Ptr to_pcl(const PointCloud& from) {
-  auto to = std::make_shared<Cloud>();
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    Point p;
-    p.getVector3fMap() = from.points[i];
-    p.getNormalVector3fMap() = from.normals[i];
-    to->push_back(p);
-  }
-  return to;
-}
 
 Features::Ptr features(const Cloud::Ptr& cloud, double radius_m) {
   pcl::FPFHEstimation<Point, Point, pcl::FPFHSignature33> estimation;

@@ -1,11 +1,11 @@
 // PCL's refinements: point-to-plane and generalised ICP.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <pcl/point_types.h>
 #include <pcl/registration/gicp.h>
 #include <pcl/registration/icp.h>
 
 #include "tools/compare/contender.h"
+#include "tools/compare/pcl_cloud.h"
 #include "vision/scan/normals.h"
 #include "vision/scan/point_index.h"
 
@@ -15,25 +15,19 @@ namespace {
 using Point = pcl::PointNormal;
 using Cloud = pcl::PointCloud<Point>;
 
-Cloud::Ptr to_pcl(PointCloud from) {
-  if (from.normals.empty())  // its point-to-plane asks for them, and does not read the source's
-    estimate_neighbour_normals(from, PointIndex(from.points), 16, std::nullopt);
-  auto to = std::make_shared<Cloud>();
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    Point p;
-    p.getVector3fMap() = from.points[i];
-    p.getNormalVector3fMap() = from.normals[i];
-    to->push_back(p);
-  }
-  return to;
+// Its point-to-plane asks for normals of both, and does not read the source's.
+PointCloud with_normals(PointCloud cloud) {
+  if (cloud.normals.empty())
+    estimate_neighbour_normals(cloud, PointIndex(cloud.points), 16, std::nullopt);
+  return cloud;
 }
 
 template <class Registration, bool is_generalised>
 class PclIcp final : public PreparedIcp {
  public:
   explicit PclIcp(const IcpCase& of) : T_guess_(of.T_guess.matrix().cast<float>()) {
-    registration_.setInputSource(to_pcl(of.source));
-    registration_.setInputTarget(to_pcl(of.target));
+    registration_.setInputSource(to_pcl(with_normals(of.source)));
+    registration_.setInputTarget(to_pcl(with_normals(of.target)));
     registration_.setMaxCorrespondenceDistance(of.reach_m);
     // As little as they take: it ends all the same where nothing moves to the last bit.
     registration_.setTransformationEpsilon(1e-15);
