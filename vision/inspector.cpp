@@ -37,15 +37,22 @@ void take_side(const DatumSide& side, const Alignment& alignment, const DesignMo
 }
 
 // A piece that is elsewhere makes no second pose of the whole.
-void drop_pieces(const std::vector<Piece>& pieces, const ExplainedDesign& design,
+void drop_pieces(const std::vector<Piece>& pieces, const PreparedDesign& design,
                  const PointCloud& scan, Alignment& alignment) {
+  if (pieces.empty() || alignment.alternatives.empty() || !design.finder) return;
   const auto local = [&](const Pose& T) {
     return between_local(T, design.model.origin, scan.origin);
   };
-  std::erase_if(alignment.alternatives, [&](const Pose& other) {
-    return is_of_a_piece(local(other), local(alignment.T_design_scan), pieces, design);
+  const Pose T_found = local(alignment.T_design_scan);
+  std::vector<Pose>& others = alignment.alternatives;
+  std::erase_if(others, [&](const Pose& other) {
+    return is_of_a_piece(local(other), T_found, pieces,
+                         {design.model, *design.surface, design.samples});
   });
-  alignment.ambiguous = alignment.ambiguous && !alignment.alternatives.empty();
+  alignment.ambiguous = !others.empty();
+  alignment.is_symmetric = std::all_of(others.begin(), others.end(), [&](const Pose& other) {
+    return design.finder->are_symmetric(T_found, local(other));
+  });
 }
 
 }  // namespace
@@ -100,20 +107,23 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.scan_design = to_design_frame(scan, design, inspection.alignment.T_design_scan);
     if (!inspection.alignment.found) break;
     // Which of them are the object, and how far off its surface each lies.
-    explanation = explain_surface(prepared, explained_scan, options.declutter, watch);
+    explanation = explain_surface(prepared, explained_scan, watch);
     clock.mark("declutter");
     // What was found is the largest piece of the spool, but all is measured from the datum.
     if (options.align != AlignMethod::kFind || wrong_joints == kMostWrongJoints) break;
-    const auto side = datum_side(prepared, explained_scan, explanation, options.declutter, watch);
+    const auto side = datum_side(prepared, explained_scan, explanation, watch);
     clock.mark("datum");
     if (!side) break;
     take_side(*side, inspection.alignment, design, scan, placement);
   }
   inspection.alignment.seconds = inspection.timing_s["normals"] + inspection.timing_s["align"];
   if (inspection.alignment.found) {
-    // What of the spool is elsewhere and contradicts it.
-    explain_pieces(prepared, explained_scan, options.declutter, watch, explanation);
-    drop_pieces(explanation.pieces, prepared, scan, inspection.alignment);
+    // What of the spool is elsewhere and contradicts it. The thesis's methods know no such thing.
+    if (options.declutter.is_thesis())
+      explanation = explain_by_thesis(prepared, explained_scan, options.declutter, watch);
+    else
+      explain_pieces(prepared, explained_scan, watch, explanation);
+    drop_pieces(explanation.pieces, *design_, scan, inspection.alignment);
     inspection.declutter = std::move(explanation.declutter);
     inspection.deviations = std::move(explanation.deviations);
     inspection.pieces = std::move(explanation.pieces);
@@ -125,9 +135,14 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   clock.mark("declutter");
   // What that says of each part.
   std::vector<PartDeviation> parts(design.parts.size());
-  if (!watch.cancelled())
-    parts = summarise_parts(design, inspection.scan_design, inspection.declutter.classes,
-                            inspection.deviations, design_->samples, watch);
+  std::vector<int> missing;
+  if (!watch.cancelled()) {
+    const std::vector<PointClass>& classes = inspection.declutter.classes;
+    parts = summarise_parts(design, inspection.scan_design, classes, inspection.deviations,
+                            design_->samples, watch);
+    missing =
+        missing_parts(design, inspection.scan_design, classes, design_->samples, parts, watch);
+  }
   if (watch.cancelled()) {  // half an inspection says nothing
     mark_stopped(inspection.alignment);
     inspection.declutter = nothing_kept(scan.size(), options.declutter);
@@ -136,8 +151,6 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.unexpected.clear();
   }
   inspection.scan_rms_m = rms(inspection.deviations);
-  const std::vector<int> missing =
-      missing_parts(design, inspection.scan_design, inspection.deviations, design_->samples, parts);
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);

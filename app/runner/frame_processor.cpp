@@ -47,14 +47,6 @@ Camera every_nth_pixel(const Camera& camera, int stride) {
   return small;
 }
 
-PointCloud moved(const PointCloud& cloud, const Pose& T_to_from) {
-  PointCloud out = cloud;
-  const Eigen::Isometry3f T = T_to_from.cast<float>();
-  for (Eigen::Vector3f& point : out.points) point = T * point;
-  for (Eigen::Vector3f& normal : out.normals) normal = T.linear() * normal;
-  return out;
-}
-
 // At most `limit` of the points that `wanted` takes, spread evenly over the order they stand in.
 template <class Wanted>
 PointCloud some_of(const PointCloud& cloud, std::size_t limit, const Wanted& wanted) {

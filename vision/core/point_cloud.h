@@ -9,6 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "vision/core/pose.h"
+
 namespace spool {
 
 // All arrays are empty or as long as `points`. Points are metres in the cloud's own frame, relative
@@ -34,5 +36,8 @@ struct PointCloud {
             points.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   }
 };
+
+// Points (and normals) in frame `to`; NaN stays NaN, the origin stays what it is.
+[[nodiscard]] PointCloud moved(const PointCloud& cloud, const Pose& T_to_from);
 
 }  // namespace spool

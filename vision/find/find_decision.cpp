@@ -25,11 +25,11 @@ constexpr double kCoverageWithRival = 0.45;
 // count of points that are not independent.
 constexpr double kAlike = 0.02;
 constexpr std::size_t kMostOthers = 8;  // more ways than that is no finding
-constexpr std::uint32_t kPartPoints = 10;
 // Two pipes that meet lie about in any shop. Where little of the design shows, it has to be three
-// runs of it, each with so much of what is explained.
+// runs of it, each with so much of what is explained and so many points.
 constexpr int kLeastRuns = 3;
 constexpr double kOfRun = 0.05;
+constexpr double kRunPoints = 10;
 
 bool is_pure(const PoseEvidence& pose) {
   return pose.chance + 3 * std::sqrt(pose.chance) <=
@@ -48,7 +48,7 @@ int runs_in_sight(const FinderModel& model, const PoseEvidence& pose) {
   for (std::size_t p = 0; p < model.runs.of_part.size() && p < pose.per_part.size(); ++p)
     if (model.runs.of_part[p] >= 0)
       on[static_cast<std::size_t>(model.runs.of_part[p])] += pose.per_part[p];
-  const double least = std::max(double{kPartPoints}, kOfRun * static_cast<double>(pose.explained));
+  const double least = std::max(kRunPoints, kOfRun * static_cast<double>(pose.explained));
   return static_cast<int>(
       std::count_if(on.begin(), on.end(), [&](double points) { return points >= least; }));
 }

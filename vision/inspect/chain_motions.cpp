@@ -17,7 +17,7 @@ namespace {
 constexpr double kSlide = 0.06, kSlideLeast = 0.15;
 constexpr double kSlideStep = 0.5;  // of what a tried motion may miss
 constexpr int kTurns = 180;         // of two degrees
-constexpr int kSpins = 24;          // of fifteen degrees, where a piece hangs elsewhere
+constexpr int kSpins = 24;          // of fifteen degrees
 constexpr float kRoughGain = 0.2F;  // of a piece's surface that a motion has to win
 
 // `move` moves the design; is the moved surface where the scan has points?
@@ -40,16 +40,15 @@ void keep_promising(std::vector<ChainMotion>& motions, std::size_t count) {
   if (motions.size() > count) motions.resize(count);
 }
 
-std::vector<Eigen::Isometry3f> hung_at(const JointFrame& own, const JointFrame& frame, int count) {
+std::vector<Eigen::Isometry3f> hung_at(const JointFrame& own, const JointFrame& frame) {
   Eigen::Isometry3f carry = Eigen::Isometry3f::Identity();
   carry.linear() =
       Eigen::Quaternionf::FromTwoVectors(own.outward, frame.outward).toRotationMatrix();
   carry.translation() = frame.point - carry.linear() * own.point;
   std::vector<Eigen::Isometry3f> spins;
-  for (int i = 0; i < count; ++i)
-    spins.push_back(turn_about(frame, 2 * std::numbers::pi_v<float> * static_cast<float>(i) /
-                                          static_cast<float>(count)) *
-                    carry);
+  for (int i = 0; i < kSpins; ++i)
+    spins.push_back(
+        turn_about(frame, 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kSpins) * carry);
   return spins;
 }
 
@@ -84,7 +83,7 @@ std::vector<ChainMotion> chain_motions(const JointBranch& branch, std::size_t pl
   }
   keep(3);
   for (const auto& [frame, joint] : branch.others)
-    for (const Eigen::Isometry3f& move : hung_at(branch.frame, frame, kSpins))
+    for (const Eigen::Isometry3f& move : hung_at(branch.frame, frame))
       take(PieceFault::kExchanged, move, joint);
   keep(3);
   return all;

@@ -37,9 +37,9 @@ struct ChainMotion {
                                                      const PieceShape& shape,
                                                      const Occupancy& occupancy, double size_m);
 
-// Spins of a branch hung at `frame` instead of at its own: `count` of them.
-[[nodiscard]] std::vector<Eigen::Isometry3f> hung_at(const JointFrame& own, const JointFrame& frame,
-                                                     int count);
+// A branch hung at `frame` instead of at its own, in every fifteen degrees of turn.
+[[nodiscard]] std::vector<Eigen::Isometry3f> hung_at(const JointFrame& own,
+                                                     const JointFrame& frame);
 
 // The most promising first, no more than `count`.
 void keep_promising(std::vector<ChainMotion>& motions, std::size_t count);

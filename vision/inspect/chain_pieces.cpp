@@ -193,6 +193,9 @@ std::vector<Piece> chain_pieces(const DesignModel& design, std::span<const Joint
       if (b == found.branch || is_done[b] != 0 || found.fault == PieceFault::kExchanged ||
           !is_in_line(tree[b], tree[found.branch], options.size_m))
         continue;
+      if (found.fault == PieceFault::kTooShort &&
+          double{found.move.translation().norm()} > tree[b].most_shorter_m)
+        continue;  // no pipe there to be so short
       motions.push_back(found);
       motions.back().branch = b;
     }

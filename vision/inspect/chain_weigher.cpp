@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t kLeastPoints = 25;
 constexpr double kMostChance = 0.25;  // of the points on it, that clutter would put there
 constexpr double kSetBack = 0.02;     // m: so far from its end a pipe's surface is looked at
-constexpr int kSpins = 24;            // of a counterpart
 constexpr std::size_t kCounterpartPoints = 400;
 
 // Whether points lie on a surface, told by its samples.
@@ -32,13 +31,12 @@ class OnSurface {
   [[nodiscard]] bool is_round(const Eigen::Vector3f& p) const {
     return field_.nearest(p) != SurfaceField::kFar;
   }
-  [[nodiscard]] bool is_on(const Eigen::Vector3f& p) const { return is_within(p, gate_m_); }
-  [[nodiscard]] bool is_within(const Eigen::Vector3f& p, double gate_m) const {
+  [[nodiscard]] bool is_on(const Eigen::Vector3f& p) const {
     const std::uint16_t s = field_.nearest(p);
     if (s == SurfaceField::kFar) return false;
     const Eigen::Vector3f offset = p - samples_.points[s];
-    const double beside = 2 * field_.cell_m() + gate_m;
-    return double{std::abs(samples_.normals[s].dot(offset))} < gate_m &&
+    const double beside = 2 * field_.cell_m() + gate_m_;
+    return double{std::abs(samples_.normals[s].dot(offset))} < gate_m_ &&
            double{offset.squaredNorm()} < beside * beside;
   }
 
@@ -58,8 +56,8 @@ class Excess {
       if (design.parts[static_cast<std::size_t>(part)].kind != PartKind::kPipe) continue;
       std::vector<std::uint8_t> is_part(design.parts.size(), 0);
       is_part[static_cast<std::size_t>(part)] = 1;
-      shapes_.push_back(std::make_unique<PieceShape>(is_part, samples));
-      pipes_.push_back({OnSurface(shapes_.back()->samples, options.size_m, gate_m),
+      samples_.push_back(std::make_unique<PointCloud>(samples_of(is_part, samples)));
+      pipes_.push_back({OnSurface(*samples_.back(), options.size_m, gate_m),
                         part == branch.part_near ? -1.0F : 1.0F});
     }
   }
@@ -80,7 +78,7 @@ class Excess {
   };
   JointFrame frame_;
   float by_m_;
-  std::vector<std::unique_ptr<PieceShape>> shapes_;
+  std::vector<std::unique_ptr<PointCloud>> samples_;
   std::vector<Pipe> pipes_;
 };
 
@@ -110,7 +108,7 @@ std::size_t ChainWeigher::on_counterpart(const ChainMotion& motion,
   const OnSurface surface(shape.samples, options_.size_m, rough_m);
   const std::size_t step = points.size() / kCounterpartPoints + 1;
   std::size_t most = 0;
-  for (const Eigen::Isometry3f& move : hung_at(other->frame, branch.frame, kSpins)) {
+  for (const Eigen::Isometry3f& move : hung_at(other->frame, branch.frame)) {
     const Eigen::Isometry3f T = move.inverse();
     std::size_t on = 0;
     for (std::size_t i = 0; i < points.size(); i += step)

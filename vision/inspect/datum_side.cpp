@@ -17,18 +17,9 @@ constexpr double kSamePose = 0.02;  // of the size, mean displacement
 std::vector<std::size_t> points_on_parts(const DesignModel& design,
                                          const Explanation& explanation) {
   std::vector<std::size_t> points(design.parts.size(), 0);
-  for (std::size_t i = 0; i < explanation.deviations.part.size(); ++i)
-    if (explanation.deviations.part[i] >= 0)
-      ++points[static_cast<std::size_t>(explanation.deviations.part[i])];
+  for (const std::int32_t part : explanation.deviations.part)
+    if (part >= 0) ++points[static_cast<std::size_t>(part)];
   return points;
-}
-
-PointCloud moved_by(const Pose& T_new_old, const PointCloud& scan) {
-  PointCloud moved = scan;
-  const Eigen::Isometry3f T = T_new_old.cast<float>();
-  for (Eigen::Vector3f& point : moved.points) point = T * point;
-  for (Eigen::Vector3f& normal : moved.normals) normal = T.linear() * normal;
-  return moved;
 }
 
 // Adds to `is_held` what is joined to it, part by part, as long as `is_there`.
@@ -51,8 +42,7 @@ void grow(const DesignModel& design, const std::vector<std::uint8_t>& is_there,
 }  // namespace
 
 std::optional<DatumSide> datum_side(const ExplainedDesign& design, const ExplainedScan& scan,
-                                    const Explanation& explanation, const DeclutterOptions& options,
-                                    const Watch& watch) {
+                                    const Explanation& explanation, const Watch& watch) {
   if (design.model.datums.empty() || watch.cancelled()) return std::nullopt;
   const std::vector<std::size_t> before = points_on_parts(design.model, explanation);
   const std::vector<Piece> pieces =
@@ -63,9 +53,9 @@ std::optional<DatumSide> datum_side(const ExplainedDesign& design, const Explain
   side.is_held.assign(design.model.parts.size(), 0);
   for (const int part : pieces.front().parts) side.is_held[static_cast<std::size_t>(part)] = 1;
   // What the new pose explains as well as the old one holds it too.
-  const PointCloud moved = moved_by(side.T_new_old, scan.design);
+  const PointCloud moved_scan = moved(scan.design, side.T_new_old);
   const Explanation there =
-      explain_surface(design, {moved, scan.noise_m, scan.oriented_normals}, options, watch);
+      explain_surface(design, {moved_scan, scan.noise_m, scan.oriented_normals}, watch);
   const std::vector<std::size_t> after = points_on_parts(design.model, there);
   std::vector<std::uint8_t> is_there(after.size(), 0);
   for (std::size_t p = 0; p < after.size(); ++p)

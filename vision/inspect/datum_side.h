@@ -22,11 +22,10 @@ struct DatumSide {
 // What fits best of a spool with a wrong joint is its largest piece, but everything is measured
 // from the datum. Seen from beyond any joint, is the side that holds the datum elsewhere than the
 // design has it? Nothing where it is not, where it does not show or no datum is named.
-// `scan`, `explanation`: at the pose so far.
+// `scan`, `explanation` (explain_surface()): at the pose so far.
 [[nodiscard]] std::optional<DatumSide> datum_side(const ExplainedDesign& design,
                                                   const ExplainedScan& scan,
                                                   const Explanation& explanation,
-                                                  const DeclutterOptions& options,
                                                   const Watch& watch = {});
 
 // Whether T_other (T_design_scan) only puts one of the pieces where it is: no doubt about T_found.

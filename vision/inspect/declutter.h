@@ -23,6 +23,8 @@ enum class DeclutterMethod {
 struct DeclutterOptions {
   DeclutterMethod method = DeclutterMethod::kThreeClasses;
   int k = 0;  // over 0: this K, whatever the method says
+
+  [[nodiscard]] bool is_thesis() const { return method != DeclutterMethod::kThreeClasses || k > 0; }
 };
 
 struct DeclutterResult {

@@ -26,14 +26,15 @@ bool fill_with_none(std::size_t count, const Watch& watch, Deviations& deviation
          watched_fill(deviations.normal, count, Eigen::Vector3f(Eigen::Vector3f::Zero()), watch);
 }
 
-void add_coverage(const CloudView& scan, const Deviations& deviations,
-                  const SurfaceSamples& samples, const Watch& watch,
+// By points of the object: steel that contradicts the design lies somewhere else.
+void add_coverage(const CloudView& scan, std::span<const PointClass> classes,
+                  const Deviations& deviations, const SurfaceSamples& samples, const Watch& watch,
                   std::vector<PartDeviation>& parts) {
   std::vector<Eigen::Vector3f> points;
   std::vector<std::uint32_t> place;
   float furthest = 0;
   watched_loop(scan.size(), watch, [&](std::size_t i) {
-    if (deviations.part[i] < 0) return;
+    if (classes[i] != PointClass::kObject || deviations.part[i] < 0) return;
     points.push_back(scan.points[i]);
     place.push_back(static_cast<std::uint32_t>(i));
     furthest = std::max(furthest, std::abs(deviations.distance_m[i]));
@@ -164,7 +165,7 @@ std::vector<PartDeviation> summarise_parts(const DesignModel& design, const Clou
     std::nth_element(sizes[p].begin(), sizes[p].begin() + rank, sizes[p].end());
     parts[p].p95_abs_m = sizes[p][static_cast<std::size_t>(rank)];
   }
-  add_coverage(scan_design, deviations, samples, watch, parts);
+  add_coverage(scan_design, classes, deviations, samples, watch, parts);
   return parts;
 }
 

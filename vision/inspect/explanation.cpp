@@ -82,23 +82,21 @@ void mark_contradicting(const ExplainedDesign& design, const ExplainedScan& scan
   }
 }
 
-bool is_thesis(const DeclutterOptions& options) {
-  return options.method != DeclutterMethod::kThreeClasses || options.k > 0;
-}
-
 }  // namespace
 
-Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& scan,
-                            const DeclutterOptions& options, const Watch& watch) {
+Explanation explain_by_thesis(const ExplainedDesign& design, const ExplainedScan& scan,
+                              const DeclutterOptions& options, const Watch& watch) {
   Explanation explanation;
-  if (is_thesis(options)) {
-    explanation.declutter = declutter_knn(scan.design, design.samples.cloud, options, watch);
-    explanation.deviations =
-        measure_deviations(scan.design, explanation.declutter.classes, design.surface,
-                           deviation_bound(scan.noise_m), watch);
-    count_classes(explanation.declutter);
-    return explanation;
-  }
+  explanation.declutter = declutter_knn(scan.design, design.samples.cloud, options, watch);
+  explanation.deviations = measure_deviations(scan.design, explanation.declutter.classes,
+                                              design.surface, deviation_bound(scan.noise_m), watch);
+  count_classes(explanation.declutter);
+  return explanation;
+}
+
+Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& scan,
+                            const Watch& watch) {
+  Explanation explanation;
   const double size_m = design.model.bounds().diagonal().norm();
   explanation.planes = dominant_planes(finite(scan.design.points),
                                        {.size_m = size_m, .noise_m = scan.noise_m}, watch);
@@ -115,9 +113,9 @@ Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& 
   return explanation;
 }
 
-void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan,
-                    const DeclutterOptions& options, const Watch& watch, Explanation& explanation) {
-  if (is_thesis(options) || watch.cancelled()) return;
+void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan, const Watch& watch,
+                    Explanation& explanation) {
+  if (watch.cancelled()) return;
   explanation.pieces =
       moved_pieces(design, scan, explanation, joint_tree(design.model), kMostPieces, watch);
   // Steel of the spool in another place is evidence, and so is steel that should not be there.

@@ -41,15 +41,22 @@ struct ExplainedScan {
   bool oriented_normals = true;  // its normals, if any, point to the sensor
 };
 
-// What lies on the design's surface, and what is floor and wall: no pieces yet. Thesis methods: the
-// K nearest scan points of every model point are the object. Of a cancelled run it says nothing.
+// What lies on the design's surface, and what is floor and wall: no pieces yet. Of a cancelled run
+// it says nothing.
 [[nodiscard]] Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& scan,
-                                          const DeclutterOptions& options, const Watch& watch = {});
+                                          const Watch& watch = {});
 
-// Adds pieces that are elsewhere, seen from the datum, and steel that is not the design's: their
-// points contradict it. Nothing after a thesis method.
-void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan,
-                    const DeclutterOptions& options, const Watch& watch, Explanation& explanation);
+// By the thesis: the K nearest scan points of every model point are the object, nothing
+// contradicts.
+[[nodiscard]] Explanation explain_by_thesis(const ExplainedDesign& design,
+                                            const ExplainedScan& scan,
+                                            const DeclutterOptions& options,
+                                            const Watch& watch = {});
+
+// Adds to explain_surface() pieces that are elsewhere, seen from the datum, and steel that is not
+// the design's: their points contradict it.
+void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan, const Watch& watch,
+                    Explanation& explanation);
 
 // The best explained pieces among `tree` that are elsewhere. Their points are given as places in
 // the scan.

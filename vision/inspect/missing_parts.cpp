@@ -30,19 +30,20 @@ bool is_seen_all_round(const DesignModel& design, int part,
 }  // namespace
 
 std::vector<int> missing_parts(const DesignModel& design, const CloudView& scan_design,
-                               const Deviations& deviations, const SurfaceSamples& samples,
-                               const std::vector<PartDeviation>& parts) {
+                               std::span<const PointClass> classes, const SurfaceSamples& samples,
+                               const std::vector<PartDeviation>& parts, const Watch& watch) {
   std::vector<int> missing;
   std::vector<int> doubtful;
   for (std::size_t p = 0; p < parts.size(); ++p)
     if (parts[p].coverage < kWell && is_seen_all_round(design, static_cast<int>(p), parts))
       doubtful.push_back(static_cast<int>(p));
   std::vector<Eigen::Vector3f> points;
-  for (std::size_t i = 0; i < deviations.part.size(); ++i)
-    if (deviations.part[i] >= 0) points.push_back(scan_design.points[i]);
-  if (doubtful.empty() || points.empty()) return missing;
-  const PointIndex scan(points);
-  const PointIndex surface(samples.cloud.points);
+  for (std::size_t i = 0; i < classes.size() && !doubtful.empty(); ++i)
+    if (classes[i] == PointClass::kObject) points.push_back(scan_design.points[i]);
+  if (points.empty()) return missing;
+  const PointIndex scan(points, watch);
+  const PointIndex surface(samples.cloud.points, watch);
+  if (watch.cancelled()) return missing;
   const auto near = static_cast<float>(vouching_radius(scan, points, samples.radius_m));
   std::vector<Neighbour> neighbours;
   for (const int part : doubtful) {

@@ -14,14 +14,21 @@ constexpr double kHeldShare = 0.05;
 
 }  // namespace
 
-PieceShape::PieceShape(std::span<const std::uint8_t> is_part, const SurfaceSamples& all) {
-  std::vector<Correspondence> matches;
+PointCloud samples_of(std::span<const std::uint8_t> is_part, const SurfaceSamples& all) {
+  PointCloud some;
   for (std::size_t s = 0; s < all.part.size(); ++s) {
     if (is_part[static_cast<std::size_t>(all.part[s])] == 0) continue;
-    samples.points.push_back(all.cloud.points[s]);
-    samples.normals.push_back(all.cloud.normals[s]);
-    matches.push_back({all.cloud.points[s], all.cloud.normals[s], 0.0F, 1.0F});
+    some.points.push_back(all.cloud.points[s]);
+    some.normals.push_back(all.cloud.normals[s]);
   }
+  return some;
+}
+
+PieceShape::PieceShape(std::span<const std::uint8_t> is_part, const SurfaceSamples& all)
+    : samples(samples_of(is_part, all)) {
+  std::vector<Correspondence> matches;
+  for (std::size_t s = 0; s < samples.size(); ++s)
+    matches.push_back({samples.points[s], samples.normals[s], 0.0F, 1.0F});
   // Samples come in random order (Poisson disk): every nth is spread as they are.
   const std::size_t step = samples.size() / kProbes + 1;
   for (std::size_t s = 0; s < samples.size(); s += step) probes.push_back(samples.points[s]);

@@ -16,14 +16,16 @@
 
 namespace spool {
 
+// The samples of the parts that are marked; `is_part`: one a part of the design.
+[[nodiscard]] PointCloud samples_of(std::span<const std::uint8_t> is_part,
+                                    const SurfaceSamples& all);
+
 struct PieceShape {
   PointCloud samples;                   // m, design frame, with normals
   std::vector<Eigen::Vector3f> probes;  // some of the samples, spread as they are
   NormalEquations equations;            // of points all over it
   HeldMotions motions;                  // that those hold
 
-  // `is_part`: one a part of the design.
-  PieceShape() = default;
   PieceShape(std::span<const std::uint8_t> is_part, const SurfaceSamples& all);
 
   // `motion` (design frame, small) less what the piece's own surface hardly holds: a pipe with a

@@ -16,8 +16,7 @@ namespace {
 
 constexpr double kLeastReach = 0.08;  // m: less is a weld, a lug, dirt or the sensor's fringe
 constexpr std::size_t kLeastPoints = 30;
-constexpr std::size_t kMostPoints = 20'000;  // more than a branch has: a heap, a wall of clutter
-constexpr double kJoined = 2.0;              // times the spacing of the scan's points
+constexpr double kJoined = 2.0;  // times the spacing of the scan's points
 // Of its reach: what may lie between it and the floor, and where it points straight at it (cosine
 // of 15 degrees).
 constexpr double kOfTheWay = 0.5, kStraightWay = 2.0;
@@ -27,15 +26,16 @@ constexpr double kFarthest = 2.0;  // m: no branch reaches further
 // Points joined to one another and to the spool, followed until they turn out to be held elsewhere.
 class Growth {
  public:
-  Growth(const UnexpectedScan& scan, double step_m)
+  Growth(const UnexpectedScan& scan, double step_m, const Watch& watch)
       : scan_(scan),
         step_m_(static_cast<float>(step_m)),
-        left_(scan.left),
+        left_(scan.left, watch),
         is_met_(scan.left.size(), 0) {}
 
   [[nodiscard]] bool is_met(std::uint32_t i) const { return is_met_[i] != 0; }
 
-  // All that is joined to point `first`; nothing where something else holds it.
+  // All that is joined to point `first`; nothing where something else holds it, or where it is more
+  // than the spool: a heap, a wall of clutter.
   std::optional<std::vector<std::uint32_t>> from(std::uint32_t first, const Watch& watch) {
     std::vector<std::uint32_t> points(1, first);
     std::vector<Neighbour> near;
@@ -43,7 +43,7 @@ class Growth {
     bool is_free = true;
     for (std::size_t at = 0; at < points.size() && !watch.cancelled(); ++at) {
       const Eigen::Vector3f& p = scan_.left[points[at]];
-      is_free = is_free && points.size() < kMostPoints && !touches_plane(p);
+      is_free = is_free && points.size() < scan_.object.size() && !touches_plane(p);
       left_.within(p, step_m_, near);
       for (const Neighbour& n : near) {
         if (is_met_[n.index] != 0) continue;
@@ -91,8 +91,9 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
   const std::vector<Eigen::Vector3f> object_points(scan.object.begin(), scan.object.end());
   const PointIndex object(object_points, watch);
   if (watch.cancelled()) return found;
+  // As dense as the spool's own points, and no denser than noise lets be told.
   const double step = kJoined * vouching_radius(object, object_points, 5 * scan.noise_m);
-  Growth growth(scan, step);
+  Growth growth(scan, step, watch);
   for (std::uint32_t i = 0; i < scan.left.size() && !watch.cancelled(); ++i) {
     if (growth.is_met(i) || !object.nearest(scan.left[i], static_cast<float>(step))) continue;
     std::optional<std::vector<std::uint32_t>> points = growth.from(i, watch);

@@ -41,9 +41,9 @@ std::vector<Unexpected> unexpected_with(const std::vector<Rod>& more, bool with_
     scan.normals.emplace_back(Eigen::Vector3f::UnitZ());
   }
   const ExplainedScan explained{scan, 0.001, true};
-  Explanation explanation = explain_surface(jointed().explained(), explained, {});
+  Explanation explanation = explain_surface(jointed().explained(), explained);
   EXPECT_EQ(explanation.planes.empty(), !with_floor);
-  explain_pieces(jointed().explained(), explained, {}, {}, explanation);
+  explain_pieces(jointed().explained(), explained, {}, explanation);
   EXPECT_TRUE(explanation.pieces.empty());
   std::size_t points = 0;
   for (const Unexpected& it : explanation.unexpected) points += it.points.size();
