@@ -8,8 +8,9 @@
 namespace spool {
 
 namespace {
-constexpr double kPrepareShare = 0.6;  // of the time of a search that prepares the design first
-}
+// Of the bar: preparing the design, where that comes first, and of the rest the search itself.
+constexpr double kPrepareShare = 0.6, kFindShare = 0.9;
+}  // namespace
 
 FindWorker::FindWorker(std::shared_ptr<const PreparedDesign> design, const Camera& camera,
                        const NoiseModel& noise)
@@ -58,12 +59,13 @@ const FinderModel* FindWorker::ready_finder(const Watch& watch) {
 
 void FindWorker::search(std::uint64_t number, const VisionState& picture,
                         const std::stop_token& stop) {
-  const double prepare_share = design_->finder || finder_ ? 0.0 : kPrepareShare;
+  const double prepared = design_->finder || finder_ ? 0.0 : kPrepareShare;
+  const auto whole = [&](std::string_view stage, double share) {
+    if (stage == "prepare") return prepared * share;
+    return prepared + (1 - prepared) * (stage == "find" ? kFindShare * share : kFindShare);
+  };
   const Watch watch{stop, [&](std::string_view stage, double share) {
-                      const double whole = stage == "prepare"
-                                               ? prepare_share * share
-                                               : prepare_share + (1 - prepare_share) * share;
-                      progress_.put({number, {std::string(stage), whole}});
+                      progress_.put({number, {std::string(stage), whole(stage, share)}});
                     }};
   if (stop.stop_requested()) return;
   const FinderModel* finder = ready_finder(watch);
