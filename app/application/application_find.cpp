@@ -99,6 +99,7 @@ bool Application::fill_find(ui::ScreenState& out) const {
     case FindSession::Phase::kNotFound:
       out.hint = find_.reason();
       out.hint_is_warning = true;
+      out.proposed = "Point the camera at the spool and press Find again, or pick three points.";
       return true;
     case FindSession::Phase::kChoosing:
     case FindSession::Phase::kIdle:
@@ -112,7 +113,7 @@ void Application::fill_choose(ui::ScreenState& out) const {
   if (!pose) return;
   out.choice = fmt::format("{} of {}", find_.choice() + 1, find_.choices());
   out.hint = fmt::format(
-      "The drawing fits the steel in {} ways. Lies it like this? Accept, or look at the Next.",
+      "The drawing fits the steel in {} ways. Press Accept if it lies like this, else Next.",
       find_.choices());
   out.choice_evidence = fmt::format("{:.0f} % of what should be seen is seen, {:.1f} mm off it.",
                                     100 * pose->agreement, 1e3 * pose->rms_m);

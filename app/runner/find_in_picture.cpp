@@ -9,6 +9,7 @@
 
 #include "app/runner/frame_processor.h"
 #include "vision/inspect/scan_alignment.h"
+#include "vision/scan/back_projection.h"
 
 namespace spool {
 
@@ -30,9 +31,16 @@ FindAnswer find_in_picture(const std::shared_ptr<const PreparedDesign>& design,
                            const FinderModel& finder, const VisionState& picture,
                            const Camera& camera, const NoiseModel& noise, const Watch& watch) {
   FindAnswer answer;
+  // Every pixel, not the thinned picture: of a spool that is small or far off, each counts.
+  const Result<PointCloud> pixels = back_project(*picture.frame, camera);
+  if (!pixels) {
+    answer.reason = pixels.error().message;
+    return answer;
+  }
+  const PointCloud scan = measured_points(*pixels);
   const AlignRequest request{AlignMethod::kFind, {}, std::nullopt, &finder, 1};
   const Placement placement =
-      place_scan(request, design->model, picture.scan, typical_noise_m(picture.scan, noise), watch);
+      place_scan(request, design->model, scan, typical_noise_m(scan, noise), watch);
   answer.reason = placement.reason;
   if (!placement.found) return answer;
   watch.report("fit", 0);

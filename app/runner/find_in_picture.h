@@ -24,10 +24,10 @@ struct FindAnswer {
   std::string reason;  // not found: why, and what to do; one sentence
 };
 
-// Looks for the design in the picture's points, fits it at every pose that explains them as three
-// picks would be fitted, and keeps the poses that the picture bears out: those that show steel
-// where the design has it, not what lies behind. Poses that the design's own symmetry makes equal
-// are one. Nothing is found by a cancelled search. Any thread.
+// Looks for the design in the picture's frame, every pixel of it; fits it at every pose that
+// explains the frame as three picks would be fitted, and keeps the poses that the picture bears
+// out: those that show steel where the design has it, not what lies behind. Poses that the design's
+// own symmetry makes equal are one. Nothing is found by a cancelled search. Any thread.
 [[nodiscard]] FindAnswer find_in_picture(const std::shared_ptr<const PreparedDesign>& design,
                                          const FinderModel& finder, const VisionState& picture,
                                          const Camera& camera, const NoiseModel& noise,
