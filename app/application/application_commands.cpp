@@ -139,6 +139,8 @@ void Application::tap(const ui::Gesture& gesture) {
     return;
   }
   if (awaiting_alignment_ || !design_eye_.is_started() || !scan_eye_.is_started()) return;
+  const auto is_on = [&](const ui::Rect& view) { return view.contains(gesture.x, gesture.y); };
+  if (!is_on(layout_.design_view) && !is_on(layout_.scan_view)) return;
   // Who taps does not wait for the search any more; its picture is the one that was tapped.
   const bool was_searching = find_.is_running();
   finder_.cancel();
@@ -160,7 +162,7 @@ void Application::pick(const ui::Gesture& gesture, double slop) {
     }
     return;
   }
-  if (!layout_.scan_view.contains(gesture.x, gesture.y) || !shown()) return;
+  if (!shown()) return;
   const auto index =
       pick_point(shown()->scan.points, scan_eye_.view(), gesture.x - layout_.scan_view.x,
                  gesture.y - layout_.scan_view.y, slop);
