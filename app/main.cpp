@@ -222,7 +222,10 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--headless", flags.headless,
                "Draw without a display; a recording is played frame by frame");
-  app.add_option("--script", flags.script, "TAPS.json: fingers on the glass, by time");
+  app.add_option(
+      "--script", flags.script,
+      "TAPS.json: fingers on the glass, by time, as fractions of the window; a tap where "
+      "--print-targets has Find looks for the spool");
   app.add_option("--track", flags.track, "poses.csv: where the camera was in every frame");
   app.add_flag("--print-targets", flags.print_targets,
                "Print what can be tapped and where, one line of JSON whenever it changes");

@@ -30,9 +30,11 @@ Application::Application(ApplicationInputs inputs)
       landmarks_(propose_landmarks(in_.design->model, *in_.design->surface, kLandmarks)),
       picks_(landmarks_.landmarks,
              [this](std::span<const PointPair> pairs) { return landmark_evidence(pairs); }),
-      gestures_(tap_slop_px(in_.dots_per_inch)) {}
+      gestures_(tap_slop_px(in_.dots_per_inch)),
+      finder_(in_.design, in_.camera, in_.noise) {}
 
 Application::~Application() {
+  finder_.cancel();
   jobs_.wait();
   feed_.reset();
   picture_.reset();
@@ -76,6 +78,7 @@ void Application::take_notes() {
     switch (note->kind) {
       case SensorNote::Kind::kUnplugged:
         unplugged_ = true;
+        lose_sensor();
         break;
       case SensorNote::Kind::kReplugged:
         unplugged_ = false;
@@ -86,6 +89,7 @@ void Application::take_notes() {
       case SensorNote::Kind::kFailed:
         ended_ = true;
         failure_ = note->error;
+        lose_sensor();
         break;
     }
   }
@@ -102,7 +106,12 @@ std::optional<double> Application::advance() {
   if (answered) {
     awaiting_alignment_ = false;
     aligned_ = state_->quality != TrackQuality::kUnaligned;
-    if (aligned_) leave_align();
+    if (aligned_) {
+      leave_align();
+    } else if (found_by_search_) {
+      refuse_found();
+    }
+    found_by_search_ = false;
   }
   if (state_->is_tracked()) last_tracked_ = state_;
   return std::max(0.0, state_->frame->seconds - before);
@@ -128,6 +137,7 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   now_s_ = now_s;
   if (in_.wait_for_jobs) jobs_.wait();
   take_checks();
+  take_find();
   while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);
   for (const ui::TouchEvent& event : events) input_.push(event);
   const std::vector<ui::TouchEvent> batch = input_.take_frame();
@@ -262,10 +272,12 @@ std::vector<ScenePicture> Application::scenes() {
 }
 
 bool Application::is_idle() const {
-  return input_.empty() && checks_open_ == 0 && !pending_screen_ && !awaiting_alignment_;
+  return input_.empty() && checks_open_ == 0 && !pending_screen_ && !awaiting_alignment_ &&
+         !find_.is_running();
 }
 
 void Application::give_up_picks() {
+  stop_find();  // nobody will choose
   if (!held_ || awaiting_alignment_) return;
   picks_.clear();
   release_picture();

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "app/application/align_session.h"
+#include "app/application/find_session.h"
+#include "app/application/find_worker.h"
 #include "app/application/job_thread.h"
 #include "app/application/picture.h"
 #include "app/application/pose_table.h"
@@ -85,7 +87,10 @@ class Application {
   explicit Application(ApplicationInputs inputs);
   // application.cpp
   void take_notes();
-  [[nodiscard]] const VisionStatePtr& shown() const { return held_ ? held_ : state_; }
+  [[nodiscard]] const VisionStatePtr& shown() const {
+    if (find_.shown()) return find_.shown();
+    return held_ ? held_ : state_;
+  }
   void route(const std::vector<ui::TouchEvent>& events);
   [[nodiscard]] std::vector<ScenePicture> scenes();
   void set_look(ScenePicture& scene, const VisionState& state) const;
@@ -94,8 +99,10 @@ class Application {
   void handle(const ui::Command& command);
   void handle(const ui::Gesture& gesture);
   void tap(const ui::Gesture& gesture);
+  void pick(const ui::Gesture& gesture, double slop_px);
   void start_align();
   void finish_align();
+  void ask_for_alignment(const Pose& T_design_camera);
   void leave_align();
   [[nodiscard]] std::vector<double> landmark_evidence(std::span<const PointPair> pairs) const;
   void hold_picture();
@@ -105,6 +112,18 @@ class Application {
   void save_screen(const std::string& file);
   void notice(std::string text);
   void fail(const Error& error);
+  // application_find.cpp
+  [[nodiscard]] bool can_find() const;
+  void start_find();
+  void stop_find();
+  void take_find();
+  void show_next_choice();
+  void accept_choice();
+  void align_as_found(const VisionState& found);
+  void refuse_found();
+  void lose_sensor();
+  [[nodiscard]] bool fill_find(ui::ScreenState& out) const;
+  void fill_choose(ui::ScreenState& out) const;
   // application_screen.cpp
   [[nodiscard]] ui::ScreenState screen_state() const;
   void fill_align(ui::ScreenState& out) const;
@@ -122,6 +141,7 @@ class Application {
   PoseTable poses_;
   LandmarkProposal landmarks_;
   AlignSession picks_;
+  FindSession find_;
 
   // What is shown.
   VisionStatePtr state_;         // the newest
@@ -132,6 +152,7 @@ class Application {
   bool aligned_ = false;
   std::uint64_t alignments_asked_ = 0;
   bool awaiting_alignment_ = false;
+  bool found_by_search_ = false;  // the pose of the alignment that is awaited
   bool unplugged_ = false, ended_ = false;
   std::optional<Error> failure_;
   int view_mode_ = 0;  // both, scan, design
@@ -160,7 +181,8 @@ class Application {
   CommandQueue<Checked> checked_;
   CommandQueue<Error> write_errors_;
   std::optional<Error> first_write_error_;
-  JobThread jobs_;  // last: its jobs use what stands above
+  JobThread jobs_;  // last but one: its jobs use what stands above
+  FindWorker finder_;
 };
 
 }  // namespace spool

@@ -42,10 +42,23 @@ void Application::handle(const ui::Command& command) {
     case ui::Action::kAlign:
       start_align();
       break;
+    case ui::Action::kFind:
+      start_find();
+      break;
+    case ui::Action::kCancelFind:
+      stop_find();
+      break;
+    case ui::Action::kNext:
+      show_next_choice();
+      break;
+    case ui::Action::kAccept:
+      accept_choice();
+      break;
     case ui::Action::kFinish:
       finish_align();
       break;
     case ui::Action::kBack:
+      stop_find();
       picks_.clear();
       release_picture();
       screen_ = ui::Screen::kWork;
@@ -81,6 +94,7 @@ void Application::handle(const ui::Command& command) {
         fail(feed.error());
         break;
       }
+      stop_find();
       feed_ = std::move(*feed);
       ended_ = aligned_ = awaiting_alignment_ = false;
       alignments_asked_ = 0;
@@ -114,7 +128,7 @@ void Application::handle(const ui::Gesture& gesture) {
 
 void Application::tap(const ui::Gesture& gesture) {
   const double slop = tap_slop_px(in_.dots_per_inch);
-  if (screen_ == ui::Screen::kWork) {
+  if (screen_ != ui::Screen::kAlign) {
     const VisionStatePtr& state = shown();
     if (!state || !state->is_tracked()) return;
     const render::View view =
@@ -125,6 +139,17 @@ void Application::tap(const ui::Gesture& gesture) {
     return;
   }
   if (awaiting_alignment_ || !design_eye_.is_started() || !scan_eye_.is_started()) return;
+  const auto is_on = [&](const ui::Rect& view) { return view.contains(gesture.x, gesture.y); };
+  if (!is_on(layout_.design_view) && !is_on(layout_.scan_view)) return;
+  // Who taps does not wait for the search any more; its picture is the one that was tapped.
+  const bool was_searching = find_.is_running();
+  finder_.cancel();
+  find_.cancel();
+  pick(gesture, slop);
+  if (was_searching && !picks_.can_undo()) release_picture();
+}
+
+void Application::pick(const ui::Gesture& gesture, double slop) {
   if (layout_.design_view.contains(gesture.x, gesture.y)) {
     const auto hit = pick_design(in_.design->model, *in_.design->surface, landmarks_.landmarks,
                                  design_eye_.view(), gesture.x - layout_.design_view.x,
@@ -137,7 +162,7 @@ void Application::tap(const ui::Gesture& gesture) {
     }
     return;
   }
-  if (!layout_.scan_view.contains(gesture.x, gesture.y) || !shown()) return;
+  if (!shown()) return;
   const auto index =
       pick_point(shown()->scan.points, scan_eye_.view(), gesture.x - layout_.scan_view.x,
                  gesture.y - layout_.scan_view.y, slop);
@@ -182,12 +207,16 @@ void Application::release_picture() {
 
 void Application::finish_align() {
   if (picks_.result().status != PairsStatus::kOk || !held_ || awaiting_alignment_) return;
-  awaiting_alignment_ = true;
-  ++alignments_asked_;
-  feed_->command({VisionCommand::Kind::kAlign, held_, picks_.result().T_design_scan});
+  ask_for_alignment(picks_.result().T_design_scan);
 }
 
-// The picks were believed: on with the work.
+void Application::ask_for_alignment(const Pose& T_design_camera) {
+  awaiting_alignment_ = true;
+  ++alignments_asked_;
+  feed_->command({VisionCommand::Kind::kAlign, held_, T_design_camera});
+}
+
+// The pose was believed: on with the work.
 void Application::leave_align() {
   screen_ = ui::Screen::kWork;
   picks_.clear();
@@ -275,6 +304,7 @@ void Application::fail(const Error& error) {
 }
 
 Status Application::finish() {
+  stop_find();
   pending_screen_ = "screen_end.png";
   if (Status status = frame(now_s_, {}); !status) return status;
   if (last_tracked_) start_check(true);

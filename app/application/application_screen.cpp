@@ -96,10 +96,16 @@ ui::ScreenState Application::screen_state() const {
   out.can_replay = in_.is_recording && ended_ && !held_;
   if (now_s_ < notice_until_s_) out.notice = notice_;
   if (state_) out.tracking = mark_of(state_->quality);
-  if (screen_ == ui::Screen::kAlign) {
-    fill_align(out);
-  } else {
-    fill_work(out);
+  switch (screen_) {
+    case ui::Screen::kAlign:
+      fill_align(out);
+      break;
+    case ui::Screen::kChoose:
+      fill_choose(out);
+      break;
+    case ui::Screen::kWork:
+      fill_work(out);
+      break;
   }
   // What is wrong with the sensor comes before everything else.
   if (failure_) {
@@ -124,7 +130,8 @@ void Application::fill_align(ui::ScreenState& out) const {
     if (chip.set && i < result.residual_m.size()) chip.residual_mm = 1e3 * result.residual_m[i];
     out.chips.push_back(chip);
   }
-  out.can_skip = picks_.can_skip() && !awaiting_alignment_;
+  const bool search_speaks = fill_find(out);
+  out.can_skip = picks_.can_skip() && !awaiting_alignment_ && !out.finding;
   out.can_undo = picks_.can_undo() && !awaiting_alignment_;
   out.can_finish =
       result.status == PairsStatus::kOk && pairs.size() >= kChips && !awaiting_alignment_;
@@ -132,6 +139,8 @@ void Application::fill_align(ui::ScreenState& out) const {
   const auto lit = picks_.lit();
   if (awaiting_alignment_) {
     out.hint = "Fitting the drawing to the steel.";
+  } else if (search_speaks) {
+    // Said by fill_find().
   } else if (pairs.size() >= kChips && result.status != PairsStatus::kOk) {
     out.hint = result.reason;
     out.hint_is_warning = true;
@@ -148,8 +157,10 @@ void Application::fill_align(ui::ScreenState& out) const {
                    : "No depth there: tap beside it, or tap another point of the drawing.";
     out.hint_is_warning = true;
   } else if (lit) {
-    out.hint = fmt::format("Point {}: find {} and tap it in the camera picture.", pairs.size() + 1,
-                           lit->text);
+    out.hint =
+        fmt::format("{}oint {}: find {} and tap it in the camera picture.",
+                    pairs.empty() && out.can_find ? "Press Find, or pick three points. P" : "P",
+                    pairs.size() + 1, lit->text);
     out.proposed = "Not to be seen there? Press Other point, or tap another one of the drawing.";
   } else {
     out.hint = "Tap a point of the drawing, then the same point in the camera picture.";
@@ -161,6 +172,7 @@ void Application::fill_work(ui::ScreenState& out) const {
   static constexpr const char* kViewWords[] = {"both", "scan", "drawing"};
   const VisionStatePtr& state = shown();
   out.aligned = aligned_;
+  out.can_find = can_find();
   out.measured = state && state->is_tracked();
   out.still_shown = shows_still();
   out.detached = detached_ && out.measured;
@@ -200,13 +212,21 @@ void Application::fill_work(ui::ScreenState& out) const {
 
 std::string Application::changed_targets() {
   nlohmann::json json;
-  json["screen"] = screen_ == ui::Screen::kAlign ? "align" : "work";
+  json["screen"] = screen_ == ui::Screen::kAlign    ? "align"
+                   : screen_ == ui::Screen::kChoose ? "choose"
+                                                    : "work";
   json["width"] = in_.width;
   json["height"] = in_.height;
   json["tracking"] = state_ ? name(state_->quality) : "none";
   json["picks"] = picks_.pairs().size();
   if (still_of_) {
     json["still"] = {{"frame", still_of_->frame->index}, {"rect", to_json(layout_.still)}};
+  }
+  json["find"] = {{"phase", name(find_.phase())},
+                  {"percent", 10 * std::lround(10 * find_.progress().share)}};
+  if (find_.shown()) {
+    json["find"]["choice"] = find_.choice();
+    json["find"]["choices"] = find_.choices();
   }
   json["hint"] = screen_state().hint;
   json["targets"] = nlohmann::json::object();

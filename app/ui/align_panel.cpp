@@ -1,4 +1,4 @@
-// The Align screen: three chips, the hint, undo and done.
+// The Align screen: find, or three chips, the hint, undo and done.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <cstdio>
@@ -37,6 +37,17 @@ float draw_chip(ImDrawList& list, const Theme& theme, const PairChip& chip, int 
   return width + 14 * dp;
 }
 
+void draw_chips(const ScreenState& state, const Painter& painter) {
+  const auto dp = static_cast<float>(painter.theme.dp);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  ImVec2 at = ImGui::GetCursorScreenPos();
+  at.y += 18 * dp;
+  for (std::size_t i = 0; i < state.chips.size(); ++i) {
+    at.x += draw_chip(list, painter.theme, state.chips[i], static_cast<int>(i) + 1, at);
+  }
+  ImGui::Dummy({1, 38 * dp});
+}
+
 void draw_label(const Painter& painter, const Rect& view, const char* text) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const auto dp = static_cast<float>(painter.theme.dp);
@@ -64,13 +75,11 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
   back.AddLine(corner, end, IM_COL32(255, 255, 255, 90), 2 * dp);
 
   begin_panel(painter, "card", layout.align_card);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  ImVec2 at = ImGui::GetCursorScreenPos();
-  at.y += 18 * dp;
-  for (std::size_t i = 0; i < state.chips.size(); ++i) {
-    at.x += draw_chip(list, painter.theme, state.chips[i], static_cast<int>(i) + 1, at);
+  if (state.finding) {
+    draw_find_bar(painter, state.find_share);
+  } else {
+    draw_chips(state, painter);
   }
-  ImGui::Dummy({1, 38 * dp});
   ImGui::PushFont(painter.theme.body);
   ImGui::PushStyleColor(ImGuiCol_Text, state.hint_is_warning ? kSuspiciousColour : kTextColour);
   ImGui::TextWrapped("%s", state.hint.c_str());
@@ -93,6 +102,15 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
   if (state.can_skip && !state.can_finish &&
       big_button(painter, "Other", layout.actions[0], "point")) {
     commands.push_back({Action::kSkip});
+  }
+  // Not where Find was: who taps twice does not mean to stop it.
+  if (state.finding && big_button(painter, "Cancel", layout.actions[0])) {
+    commands.push_back({Action::kCancelFind});
+  }
+  // In the place of Undo, until there is something to undo.
+  if (state.can_find && !state.can_undo &&
+      big_button(painter, "Find", layout.actions[1], "the spool", ButtonLook::kPrimary)) {
+    commands.push_back({Action::kFind});
   }
   if (state.can_undo && big_button(painter, "Undo", layout.actions[1])) {
     commands.push_back({Action::kUndo});

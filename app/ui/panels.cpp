@@ -69,6 +69,9 @@ std::vector<Command> draw_screen(const ScreenState& state, const Theme& theme, c
     case Screen::kAlign:
       draw_align(state, painter, commands);
       break;
+    case Screen::kChoose:
+      draw_choose(state, painter, commands);
+      break;
     case Screen::kWork:
       draw_work(state, painter, commands);
       break;

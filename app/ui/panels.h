@@ -15,9 +15,11 @@ namespace spool::ui {
 [[nodiscard]] std::vector<Command> draw_screen(const ScreenState& state, const Theme& theme,
                                                const Layout& layout, TargetList& targets);
 
-// The pieces that both screens share or that have files of their own.
+// The pieces that the screens share or that have files of their own.
 void draw_strip(const ScreenState& state, const Painter& painter);
+void draw_find_bar(const Painter& painter, double share);  // within the open panel
 void draw_align(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
+void draw_choose(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
 void draw_work(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
 
 }  // namespace spool::ui

@@ -9,7 +9,7 @@
 
 namespace spool::ui {
 
-enum class Screen { kAlign, kWork };
+enum class Screen { kAlign, kChoose, kWork };
 
 // A status has its own outline and word; colour comes third.
 enum class StatusMark { kOk, kSuspicious, kNotOk, kNotMeasured };
@@ -52,6 +52,15 @@ struct ScreenState {
   bool can_finish = false;   // three picks that make a pose
   bool can_go_back = false;  // an alignment stands already
 
+  // Find, on both screens
+  bool can_find = false;
+  bool finding = false;   // a search runs
+  double find_share = 0;  // 0 to 1, done of it
+
+  // Choose: the drawing fits in more than one way
+  std::string choice;           // "1 of 2"
+  std::string choice_evidence;  // what speaks for this one
+
   // Work
   bool aligned = false;
   bool still_shown = false;     // the spool is lost, its last good view stands in layout.still
@@ -71,6 +80,10 @@ struct ScreenState {
 
 enum class Action {
   kAlign,
+  kFind,
+  kCancelFind,
+  kNext,    // of the poses to choose from
+  kAccept,  // the pose shown
   kCheck,
   kShot,
   kView,

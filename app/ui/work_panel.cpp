@@ -182,6 +182,9 @@ void draw_work(const ScreenState& state, const Painter& painter, std::vector<Com
                    ButtonLook::kPrimary)) {
       commands.push_back({Action::kCheck});
     }
+  } else if (state.can_find &&
+             big_button(painter, "Find", layout.actions[1], "the spool", ButtonLook::kPrimary)) {
+    commands.push_back({Action::kFind});
   }
   if (big_button(painter, "Shot", layout.actions[2])) commands.push_back({Action::kShot});
   if (state.aligned && big_button(painter, "View", layout.actions[3], state.view_word)) {

@@ -22,13 +22,13 @@ void shuffle(std::vector<T>& all, std::mt19937& random) {
 }
 
 FinderLevel level_of(const FinderModel& model, const ElementOptions& options, double cell_m,
-                     std::mt19937& random) {
+                     std::mt19937& random, const Watch& watch) {
   FinderLevel level{options, cell_m, {}};
   const PointCloud thin = thin_to_voxels(CloudView(model.samples.points), cell_m);
-  std::vector<Element> elements = local_elements(thin.points, options);
+  std::vector<Element> elements = local_elements(thin.points, options, watch);
   shuffle(elements, random);
   if (elements.size() > kElements) elements.resize(kElements);
-  level.pairs = PairTable(std::move(elements), model.size_m);
+  level.pairs = PairTable(std::move(elements), model.size_m, watch);
   return level;
 }
 
@@ -44,7 +44,14 @@ int free_motions_of(const PointCloud& samples) {
 }  // namespace
 
 FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface& surface,
-                                 const SurfaceSamples& samples, std::uint32_t seed) {
+                                 const SurfaceSamples& samples, std::uint32_t seed,
+                                 const Watch& watch) {
+  constexpr double kSteps = 6;  // the field, three levels, what it resembles of itself, symmetries
+  double done = 0;
+  const auto goes_on = [&] {
+    watch.report("prepare", done++ / kSteps);
+    return !watch.cancelled();
+  };
   FinderModel model;
   model.size_m = design.bounds().diagonal().norm();
   model.samples = samples.cloud;
@@ -53,25 +60,34 @@ FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface&
   model.parts = design.parts.size();
   model.runs = straight_runs(design);
   if (!model.samples.has_normals() || !(model.size_m > 0)) return model;
+  if (!goes_on()) return model;
   std::mt19937 random(seed);
   model.probes = model.samples.points;
   shuffle(model.probes, random);
   if (model.probes.size() > kProbes) model.probes.resize(kProbes);
-  model.field = SurfaceField(model.samples, model.size_m / 200, kFieldReach * model.size_m);
+  model.field = SurfaceField(model.samples, model.size_m / 200, kFieldReach * model.size_m, watch);
   const double cell = model.cell_m();
+  if (!goes_on()) return model;
   // A bulky design's samples lie further apart than the scan's points.
   const double even = std::max(cell, model.spacing_m);
-  model.levels.push_back(level_of(model, {ElementKind::kSurface, 2.5 * even, 7}, even, random));
+  model.levels.push_back(
+      level_of(model, {ElementKind::kSurface, 2.5 * even, 7}, even, random, watch));
   // Long and thin at a sixteenth and a tenth of the size: what shows where points are too few for
   // a surface.
   for (const double share : {0.06, 0.10}) {
+    if (!goes_on()) return model;
     const double radius = share * model.size_m;
-    model.levels.push_back(level_of(model, {ElementKind::kTube, radius, 6}, radius / 5, random));
+    model.levels.push_back(
+        level_of(model, {ElementKind::kTube, radius, 6}, radius / 5, random, watch));
   }
-  model.alike = self_likenesses(model, seed);
-  for (const SelfLikeness& alike : model.alike)
+  if (!goes_on()) return model;
+  model.alike = self_likenesses(model, seed, watch);
+  if (!goes_on()) return model;
+  for (const SelfLikeness& alike : model.alike) {
+    if (watch.cancelled()) return model;
     if (std::optional<Pose> exact = exact_symmetry(model, surface, alike))
       model.symmetries.push_back(*exact);
+  }
   model.free_motions = free_motions_of(model.samples);
   return model;
 }

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "vision/core/cancel.h"
 #include "vision/core/point_cloud.h"
 #include "vision/core/pose.h"
 #include "vision/design/design_model.h"
@@ -52,9 +53,11 @@ struct FinderModel {
   // Poses that move the design by less than this (mean) are one.
   [[nodiscard]] double same_m() const { return 0.02 * size_m; }
 
-  // `samples` of the surface that can be seen (PreparedDesign has them), under 65 535.
+  // `samples` of the surface that can be seen (PreparedDesign has them), under 65 535. Takes about
+  // a second; a cancelled one is of no use: nothing may be looked for with it.
   [[nodiscard]] static FinderModel prepare(const DesignModel& design, const DesignSurface& surface,
-                                           const SurfaceSamples& samples, std::uint32_t seed = 1);
+                                           const SurfaceSamples& samples, std::uint32_t seed = 1,
+                                           const Watch& watch = {});
 
   // Whether the two poses differ by a symmetry of the design.
   [[nodiscard]] bool are_symmetric(const Pose& T_a, const Pose& T_b) const;

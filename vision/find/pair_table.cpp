@@ -72,7 +72,7 @@ std::size_t PairTable::bin(const PairFrame& frame) const {
   return bin * kDihedralBins + at(frame.dihedral, -kPi, 2 * kPi / kDihedralBins, kDihedralBins);
 }
 
-PairTable::PairTable(std::vector<Element> elements, double size_m)
+PairTable::PairTable(std::vector<Element> elements, double size_m, const Watch& watch)
     : elements_(std::move(elements)),
       least_(static_cast<float>(kLeastOfSize * size_m)),
       most_(static_cast<float>(size_m)),
@@ -86,30 +86,37 @@ PairTable::PairTable(std::vector<Element> elements, double size_m)
   };
   std::vector<std::vector<Placed>> of_first(elements_.size());
   parallel_chunks(elements_.size(), 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end && !watch.cancelled(); ++i)
       for (std::size_t j = 0; j < elements_.size(); ++j)
         if (i != j)
           each_way(i, j, [&](std::size_t bin, const Entry& entry) {
             of_first[i].push_back({static_cast<std::uint32_t>(bin), entry});
           });
   });
-  std::vector<std::uint32_t> count(kBins, 0);
-  for (const auto& some : of_first)
-    for (const Placed& placed : some) ++count[placed.bin];
   first_.assign(kBins + 1, 0);
+  std::vector<std::uint32_t> count(kBins, 0);
+  for (const auto& some : of_first) {
+    if (watch.cancelled()) return;
+    for (const Placed& placed : some) ++count[placed.bin];
+  }
   for (std::size_t at = 0; at < kBins; ++at)
     first_[at + 1] =
         first_[at] + static_cast<std::uint32_t>(std::min<std::size_t>(count[at], kMostPerBin));
   entries_.resize(first_.back());
   // A full bin keeps every nth, evenly over the order of the elements.
   std::vector<std::uint32_t> met(kBins, 0), kept(kBins, 0);
-  for (const auto& some : of_first)
+  for (const auto& some : of_first) {
+    if (watch.cancelled()) break;
     for (const auto& [at, entry] : some) {
       const std::uint32_t room = first_[at + 1] - first_[at];
       const std::uint64_t due = std::uint64_t{met[at]++} * room / count[at];
       if (due < kept[at] || kept[at] >= room) continue;
       entries_[first_[at] + kept[at]++] = entry;
     }
+  }
+  if (!watch.cancelled()) return;
+  first_.assign(kBins + 1, 0);
+  entries_ = {};
 }
 
 template <class Use>

@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 
+#include "vision/core/cancel.h"
 #include "vision/core/pose.h"
 #include "vision/find/elements.h"
 
@@ -37,8 +38,8 @@ class PairTable {
  public:
   PairTable() = default;
   // At most some thousands of elements: pairs grow with the square. `size_m`: the design's
-  // diameter.
-  PairTable(std::vector<Element> elements, double size_m);
+  // diameter. Empty where it was cancelled.
+  PairTable(std::vector<Element> elements, double size_m, const Watch& watch = {});
 
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }

@@ -10,7 +10,8 @@
 
 namespace spool {
 
-SurfaceField::SurfaceField(const CloudView& samples, double cell_m, double reach_m)
+SurfaceField::SurfaceField(const CloudView& samples, double cell_m, double reach_m,
+                           const Watch& watch)
     : cell_m_(cell_m), reach_m_(reach_m), per_m_(static_cast<float>(1.0 / cell_m)) {
   assert(samples.size() < kFar && "samples are numbered in 16 bits");
   assert(cell_m > 0 && reach_m >= cell_m && "a field has cells and reaches past one");
@@ -55,7 +56,7 @@ SurfaceField::SurfaceField(const CloudView& samples, double cell_m, double reach
     offer(static_cast<std::size_t>(cell.x()), static_cast<std::size_t>(cell.y()),
           static_cast<std::size_t>(cell.z()), static_cast<std::uint16_t>(s));
   }
-  while (!next.empty()) {
+  while (!next.empty() && !watch.cancelled()) {
     front.swap(next);
     next.clear();
     for (const Place& at : front) {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 
+#include "vision/core/cancel.h"
 #include "vision/core/cloud_view.h"
 
 namespace spool {
@@ -21,8 +22,8 @@ class SurfaceField {
 
   SurfaceField() = default;
   // `samples`: points with normals (m), under 65 535 of them. `cell_m`: edge of a cell; `reach_m`:
-  // how far from the surface the field still knows it.
-  SurfaceField(const CloudView& samples, double cell_m, double reach_m);
+  // how far from the surface the field still knows it, which is less where it was cancelled.
+  SurfaceField(const CloudView& samples, double cell_m, double reach_m, const Watch& watch = {});
 
   // The sample nearest to `point` (to within a cell), kFar beyond reach or outside the grid.
   [[nodiscard]] std::uint16_t nearest(const Eigen::Vector3f& point) const {

@@ -39,7 +39,8 @@ double share_on(const FinderModel& model, const std::vector<Eigen::Vector3f>& po
 
 }  // namespace
 
-std::vector<SelfLikeness> self_likenesses(const FinderModel& model, std::uint32_t seed) {
+std::vector<SelfLikeness> self_likenesses(const FinderModel& model, std::uint32_t seed,
+                                          const Watch& watch) {
   std::vector<SelfLikeness> found;
   const std::vector<Eigen::Vector3f> thin =
       thin_to_voxels(CloudView(model.samples.points), model.cell_m()).points;
@@ -55,9 +56,11 @@ std::vector<SelfLikeness> self_likenesses(const FinderModel& model, std::uint32_
                       .keep = 32,
                       .least_score = 0.5F,
                       .apart_m = static_cast<float>(model.same_m()),
-                      .seed = seed + level});
+                      .seed = seed + level},
+                     watch);
     std::vector<Eigen::Isometry3f> tried(1, Eigen::Isometry3f::Identity());
     for (const PoseHypothesis& hypothesis : hypotheses) {
+      if (watch.cancelled()) return found;
       const bool known = std::any_of(tried.begin(), tried.end(), [&](const Eigen::Isometry3f& T) {
         return displacement_m(model, T, hypothesis.T_design_scan) < model.same_m();
       });

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "vision/core/cancel.h"
 #include "vision/core/pose.h"
 #include "vision/design/design_surface.h"
 
@@ -22,9 +23,11 @@ struct SelfLikeness {
 
 // All but the identity that lay at least half of the surface on itself, the fullest first, some two
 // dozen at most: found as the design is found in a scan, with itself for the scan. `model` has its
-// samples, probes, field and levels. Of a body of revolution a few turns stand for all.
+// samples, probes, field and levels. Of a body of revolution a few turns stand for all. A cancelled
+// search gives what it had.
 [[nodiscard]] std::vector<SelfLikeness> self_likenesses(const FinderModel& model,
-                                                        std::uint32_t seed);
+                                                        std::uint32_t seed,
+                                                        const Watch& watch = {});
 
 // Whether nearly all of the surface lies on the surface again: no scan tells the two poses apart,
 // though a bolt hole may.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,13 +20,35 @@
 
 namespace spool::test {
 
-[[nodiscard]] inline std::vector<Step> standing_still(int frames) {
+[[nodiscard]] inline std::vector<Step> standing_still(
+    int frames, const PreparedDesign& design = *prepared_bracket()) {
   std::vector<Step> steps;
   for (int i = 0; i < frames; ++i) {
-    steps.push_back(frame_step(render_frame(*prepared_bracket(), T_design_camera(), i)));
+    steps.push_back(frame_step(render_frame(design, T_design_camera(), i)));
   }
   return steps;
 }
+
+// Lock step, and what the test says of the sensor besides.
+class NotedFeed final : public Feed {
+ public:
+  NotedFeed(std::unique_ptr<Feed> feed, std::shared_ptr<std::deque<SensorNote>> notes)
+      : feed_(std::move(feed)), notes_(std::move(notes)) {}
+  VisionStatePtr poll() override { return feed_->poll(); }
+  std::optional<SensorNote> note() override {
+    if (notes_->empty()) return feed_->note();
+    SensorNote first = std::move(notes_->front());
+    notes_->pop_front();
+    return first;
+  }
+  std::vector<TrackRow> take_track() override { return feed_->take_track(); }
+  void command(VisionCommand command) override { feed_->command(std::move(command)); }
+  void pause(bool paused) override { feed_->pause(paused); }
+
+ private:
+  std::unique_ptr<Feed> feed_;
+  std::shared_ptr<std::deque<SensorNote>> notes_;
+};
 
 class Bench : public testing::Test {
  protected:
@@ -40,7 +63,7 @@ class Bench : public testing::Test {
 
   void start(std::vector<Step> steps, int width = 800, int height = 480) {
     ApplicationInputs in;
-    in.design = prepared_bracket();
+    in.design = design_;
     in.camera = small_camera();
     in.noise.constant_m = 0.0008;
     in.source_text = in.source_description = "scripted";
@@ -48,12 +71,14 @@ class Bench : public testing::Test {
     in.out = folder_.path() / "out";
     in.width = width;
     in.height = height;
-    in.wait_for_jobs = true;
+    in.wait_for_jobs = wait_for_jobs_;
     const NoiseModel noise = in.noise;
-    in.open_feed = [steps, noise]() -> Result<std::unique_ptr<Feed>> {
-      return make_lock_step_feed(
-          std::make_unique<ScriptedSource>(steps, true),
-          FrameProcessor(prepared_bracket(), small_camera(), noise, {.stride_px = 1}));
+    in.open_feed = [steps, noise, design = design_,
+                    notes = notes_]() -> Result<std::unique_ptr<Feed>> {
+      auto feed =
+          make_lock_step_feed(std::make_unique<ScriptedSource>(steps, true),
+                              FrameProcessor(design, small_camera(), noise, {.stride_px = 1}));
+      return std::unique_ptr<Feed>(std::make_unique<NotedFeed>(std::move(feed), notes));
     };
     auto app = Application::create(std::move(in));
     ASSERT_TRUE(app.has_value()) << app.error().message;
@@ -103,6 +128,9 @@ class Bench : public testing::Test {
   }
 
   TemporaryFolder folder_;
+  std::shared_ptr<const PreparedDesign> design_ = prepared_bracket();
+  bool wait_for_jobs_ = true;
+  std::shared_ptr<std::deque<SensorNote>> notes_ = std::make_shared<std::deque<SensorNote>>();
   std::unique_ptr<render::EglContext> context_;
   std::unique_ptr<Application> app_;  // goes before its context
   nlohmann::json screen_;

@@ -230,6 +230,41 @@ TEST(Headless, TheSamplesTapsAlignItsRecording) {
   EXPECT_TRUE(std::filesystem::exists(out / "report.json"));
 }
 
+// One press of Find in the place of three taps, by a script of the same kind.
+TEST(Headless, TheSampleIsFoundWithNoTapWhereThreeTapsPutIt) {
+  SPOOL_SKIP_WITHOUT_GL();
+  const test::SampleFiles sample = test::read_sample();
+  ASSERT_TRUE(sample.prepared);
+  const test::TemporaryFolder folder;
+  const auto track_of = [&](const std::filesystem::path& script) {
+    const std::filesystem::path track = folder.path() / script.stem();
+    const auto result = test::run(
+        test::program("spoolsight"),
+        {"--design", sample.design, "--source", sample.recording, "--headless", "--script", script,
+         "--track", track.string(), "--out", (folder.path() / "out").string()});
+    EXPECT_EQ(result.code, 0) << result.err;
+    return read_track(track);
+  };
+  const auto found = track_of(sample.taps.parent_path() / "find.json");
+  const auto tapped = track_of(sample.taps);
+  ASSERT_EQ(found.size(), sample.frames.size());
+  ASSERT_EQ(tapped.size(), sample.frames.size());
+  const Eigen::Vector3d centre = sample.prepared->model.bounds().center();
+  // The press is made at the fourth frame, 0.1 s in, and held from the next.
+  for (std::size_t i = 5; i < found.size(); ++i) {
+    ASSERT_NE(found[i].quality, "lost") << i;
+    ASSERT_TRUE(found[i].T && tapped[i].T) << i;
+    // Refined on the same points from two sides: what the refinement leaves when it stops.
+    const Pose apart = *found[i].T * tapped[i].T->inverse();
+    EXPECT_LT((apart * centre - centre).norm(), 0.002) << i;
+    EXPECT_LT(pose_size(apart).rotation_rad, 0.005) << i;
+    const Pose error = *found[i].T * sample.T_design_camera[i].inverse();
+    EXPECT_LT((error * centre - centre).norm(), 0.005) << i;  // as of three taps
+    EXPECT_LT(pose_size(error).rotation_rad, 0.03) << i;
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / "report.json"));
+}
+
 struct Refusal {
   std::string name;
   std::vector<std::string> arguments;

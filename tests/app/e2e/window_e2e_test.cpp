@@ -3,6 +3,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <chrono>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -30,21 +34,35 @@ void tap(const std::string& xdotool, const std::string& display, const test::Spo
                               {.environment = {{"DISPLAY", display}}}));
 }
 
-TEST(Window, TapsThroughAThreePointAlignmentToASavedScreenshot) {
+// A display of its own with a mouse; none where the tools are not installed.
+struct MouseDisplay {
+  std::string xdotool, name;
+  std::unique_ptr<test::RunningProgram> server;
+};
+std::optional<MouseDisplay> start_display() {
   const auto xvfb = test::find_tool("Xvfb");
   const auto xdotool = test::find_tool("xdotool");
-  if (!xvfb || !xdotool) SPOOL_SKIP_WITHOUT_DISPLAY("Xvfb or xdotool is not installed");
+  if (!xvfb || !xdotool) return std::nullopt;
   // The server says on which free display it runs.
-  test::RunningProgram server(
-      {*xvfb, "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"});
-  const auto number = server.next_line(milliseconds(20000));
-  ASSERT_TRUE(number.has_value()) << "Xvfb did not start";
+  auto server = std::make_unique<test::RunningProgram>(std::vector<std::string>{
+      *xvfb, "-displayfd", "1", "-screen", "0", "800x600x24", "-nolisten", "tcp"});
+  const auto number = server->next_line(milliseconds(20000));
+  EXPECT_TRUE(number.has_value()) << "Xvfb did not start";
+  return MouseDisplay{*xdotool, ":" + number.value_or(""), std::move(server)};
+}
+
+bool shows_a_picture(const json& s) { return s.contains("scan_view") && s["tracking"] != "none"; }
+
+TEST(Window, TapsThroughAThreePointAlignmentToASavedScreenshot) {
+  const auto glass = start_display();
+  if (!glass) SPOOL_SKIP_WITHOUT_DISPLAY("Xvfb or xdotool is not installed");
+  const std::string& display = glass->name;
+  const auto xdotool = std::optional(glass->xdotool);
 
   const test::TemporaryFolder folder;
   const test::BracketFiles files = test::write_bracket(folder.path(), 3);
   ASSERT_TRUE(files.prepared);
   const std::filesystem::path out = folder.path() / "out";
-  const std::string display = ":" + *number;
   test::WindowSession session(display, {"--design", files.design, "--design-unit", "m", "--source",
                                         files.recording, "--size", "800x600", "--out", out});
   const auto press = [&](const std::string& name) {
@@ -52,9 +70,7 @@ TEST(Window, TapsThroughAThreePointAlignmentToASavedScreenshot) {
     if (there) tap(*xdotool, display, *test::target(session.screen(), name));
     return there;
   };
-  ASSERT_TRUE(session.until([](const json& s) {
-    return s.contains("scan_view") && s["tracking"] != "none";
-  })) << "no picture of the sensor";
+  ASSERT_TRUE(session.until(shows_a_picture)) << "no picture of the sensor";
 
   const Pose truth = test::T_design_camera();
   const auto frame = test::render_frame(*files.prepared, truth, 0);
@@ -83,6 +99,35 @@ TEST(Window, TapsThroughAThreePointAlignmentToASavedScreenshot) {
   EXPECT_EQ(shot->height, 600);
   EXPECT_EQ(session.end(), 0) << "SIGTERM is a clean end";
   EXPECT_TRUE(std::filesystem::exists(out / "report.json"));
+}
+
+TEST(Window, OnePressOfFindAlignsAndClosingInTheMiddleOfASearchIsACleanEnd) {
+  const auto glass = start_display();
+  if (!glass) SPOOL_SKIP_WITHOUT_DISPLAY("Xvfb or xdotool is not installed");
+  const test::TemporaryFolder folder;
+  const test::BracketFiles files = test::write_bracket(folder.path(), 3);
+  ASSERT_TRUE(files.prepared);
+  for (const bool closes : {false, true}) {
+    const std::filesystem::path out = folder.path() / (closes ? "closed" : "found");
+    test::WindowSession session(
+        glass->name, {"--design", files.design, "--design-unit", "m", "--source", files.recording,
+                      "--size", "800x600", "--out", out});
+    ASSERT_TRUE(session.until(shows_a_picture)) << "no picture of the sensor";
+    ASSERT_TRUE(session.until_offered("Find"));
+    tap(glass->xdotool, glass->name, *test::target(session.screen(), "Find"));
+    ASSERT_TRUE(session.until([](const json& s) {
+      return s["find"]["phase"] == "running" || s["screen"] == "work";
+    })) << session.screen().dump();
+    if (!closes) {
+      ASSERT_TRUE(session.until([](const json& s) { return s["screen"] == "work"; }))
+          << session.screen().dump();
+      EXPECT_EQ(session.screen()["tracking"], "good");
+    }
+    EXPECT_EQ(session.end(), 0);
+    if (!closes) {
+      EXPECT_TRUE(std::filesystem::exists(out / "report.json"));
+    }
+  }
 }
 
 }  // namespace

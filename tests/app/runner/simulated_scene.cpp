@@ -90,6 +90,15 @@ std::shared_ptr<const PreparedDesign> prepared_bracket() {
   return prepared;
 }
 
+std::shared_ptr<const PreparedDesign> prepared_plate(bool with_peg) {
+  DesignModel model;
+  model.path = "plate";
+  add_box(model, "plate", {0.0F, 0.0F, 0.0F}, {0.40F, 0.20F, 0.05F});
+  if (with_peg) add_box(model, "peg", {0.04F, 0.08F, -0.05F}, {0.10F, 0.14F, 0.0F});
+  auto result = PreparedDesign::prepare(std::move(model));
+  return result ? *result : nullptr;
+}
+
 Camera small_camera() {
   Camera camera;
   camera.width = 160;

@@ -20,6 +20,10 @@ namespace spool::test {
 [[nodiscard]] DesignModel bracket_design();
 [[nodiscard]] std::shared_ptr<const PreparedDesign> prepared_bracket();
 
+// A plate that looks the same from above when it is turned half round, but for a peg under it that
+// the camera cannot see; without the peg that is its symmetry.
+[[nodiscard]] std::shared_ptr<const PreparedDesign> prepared_plate(bool with_peg = true);
+
 // 160 x 120 px with the field of view of a PrimeSense.
 [[nodiscard]] Camera small_camera();
 // Looks down on the bracket from about 0.85 m; `turn_rad` walks it round the vertical, `shift_m`

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/cancelling.h"
 #include "tests/vision/find/room.h"
 #include "vision/find/finder.h"
 
@@ -97,6 +98,33 @@ TEST(Finder, StopsWithinATenthOfASecond) {
   static_cast<void>(tee());
   for (const int after_ms : {0, 30, 100, 250})
     EXPECT_LT(delay_s(room.points, after_ms), 0.1) << after_ms;
+}
+
+// What is prepared of a design takes longer than most searches.
+TEST(Finder, StopsPreparingADesignWithinATenthOfASecond) {
+  const DesignModel design = test::design_of(test::tee_spool());
+  const Result<DesignSurface> surface = DesignSurface::build(design);
+  ASSERT_TRUE(surface);
+  const SurfaceSamples samples = sample_surface(design, 12000);
+  std::vector<double> shares;
+  const auto prepare = [&](const Watch& watch) {
+    return FinderModel::prepare(design, *surface, samples, 1, watch);
+  };
+  const double whole_s = test::seconds_of([&] {
+    EXPECT_FALSE(prepare({{}, [&](std::string_view, double share) { shares.push_back(share); }})
+                     .alike.empty());
+  });
+  EXPECT_GE(shares.size(), 5U) << "what is done is said";
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()) && shares.back() < 1);
+  int stopped = 0;
+  for (double share = 0; share < 1; share += 0.1) {
+    const auto obeyed_s = test::seconds_until_obeyed(
+        share * whole_s, [&](const Watch& watch) { static_cast<void>(prepare(watch)); });
+    if (!obeyed_s) continue;  // it was done before
+    ++stopped;
+    EXPECT_LT(*obeyed_s, 0.1) << share;
+  }
+  EXPECT_GE(stopped, 5);
 }
 
 TEST(Finder, GivesTheSameAnswerEveryTimeOnAnyNumberOfThreads) {
