@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kLegend_px = 156;  // the strip at the left that the legend takes at scale 1
 
-// The same place and direction with the picture cut to the design, beside the legend: a box fitted
-// whole leaves much of it empty.
-render::View cut_to_design(render::View view, const DesignModel& model) {
-  constexpr double kFill =
-      0.88;  // of the room there is; the design's surroundings help to place it
+// The same place and direction with the picture cut to the design and what contradicts it, beside
+// the legend: a box fitted whole leaves much of it empty.
+render::View cut_to_steel(render::View view, const DesignModel& model,
+                          const PicturePoints& points) {
+  constexpr double kFill = 0.88;  // of the room there is; what lies round it helps to place it
   Eigen::AlignedBox2d extent;
   const auto add = [&](const Eigen::Vector3f& point) {
     const auto at = render::project(view, point.cast<double>());
@@ -29,6 +29,9 @@ render::View cut_to_design(render::View view, const DesignModel& model) {
   for (const auto& vertex : model.mesh.vertices) add(vertex);
   for (const auto& point : model.cloud.points)
     if (point.allFinite()) add(point);
+  for (std::size_t i = 0; i < points.positions.size(); ++i)
+    if (points.classes[i] == static_cast<std::uint8_t>(PointClass::kContradicting))
+      add(points.positions[i]);
   if (extent.isEmpty() || extent.sizes().minCoeff() < 1) return view;
   auto& camera = view.camera;
   const double left = camera.width > 4 * kLegend_px ? kLegend_px : 0;
@@ -60,22 +63,23 @@ Result<std::vector<OverlayPicture>> draw_overlays(const InspectionRecord& record
   // A design drawn where it was not found would be a false statement about the steel.
   if (!record.inspection.alignment.found) return std::vector<OverlayPicture>{};
   const auto& model = record.design->model;
-  const Eigen::AlignedBox3d bounds = model.bounds();
   auto renderer = render::OverlayRenderer::create();
   if (!renderer) return renderer.error();
   const auto target = render::Offscreen::create(width, height);
   if (!target) return target.error();
   renderer->set_design(model.mesh, model.triangle_part);
-  const PicturePoints points = points_near_design(record.inspection, bounds);
+  const PicturePoints points = points_near_design(record.inspection, model.bounds());
+  const Eigen::AlignedBox3d bounds = steel_bounds(points, model.bounds());
   auto style = style_of(record);
   style.point_spacing_m = object_spacing(points);
   std::vector<OverlayPicture> pictures;
   for (const auto& choice : choose_views(record, static_cast<double>(width) / height)) {
-    const auto view =
-        cut_to_design(render::view_of(bounds, choice.direction, choice.up, width, height), model);
+    const auto view = cut_to_steel(
+        render::view_of(bounds, choice.direction, choice.up, width, height), model, points);
     const Eigen::Vector3d eye = view.T_camera_design.inverse().translation();
     const auto reach = static_cast<float>(2 * bounds.diagonal().norm());
-    const PicturePoints shown = without_hiding_clutter(points, *record.design->surface, eye, reach);
+    const PicturePoints shown =
+        without_hiding_clutter(points, *record.design->surface, eye, reach, style.point_spacing_m);
     renderer->set_points(shown.positions, shown.deviation_m, shown.classes);
     if (const auto status = renderer->draw(*target, view, style); !status) return status.error();
     pictures.push_back(

@@ -26,12 +26,18 @@ struct PicturePoints {
 [[nodiscard]] PicturePoints points_near_design(const Inspection& inspection,
                                                const Eigen::AlignedBox3d& bounds);
 
+// The box of all that a picture is of (m, design frame): the design's, and what of the steel
+// contradicts it.
+[[nodiscard]] Eigen::AlignedBox3d steel_bounds(const PicturePoints& points,
+                                               const Eigen::AlignedBox3d& design);
+
 // Without the clutter that would hide steel seen from `eye` (m, design frame): a table seen from
-// below, a person between. What contradicts the design stays, whatever it hides. Steel further than
-// `reach_m` does not count.
+// below, a person between. Steel is the design's surface no further than `reach_m`, and what
+// contradicts it, which stays, whatever it hides. `spacing_m`: object_spacing().
 [[nodiscard]] PicturePoints without_hiding_clutter(const PicturePoints& all,
                                                    const DesignSurface& surface,
-                                                   const Eigen::Vector3d& eye, float reach_m);
+                                                   const Eigen::Vector3d& eye, float reach_m,
+                                                   double spacing_m);
 
 // How far the object's points lie apart (m): from the distance d to the fourth neighbour, as four
 // points stand for a disc of radius d; the median over some hundreds. 0 where there are too few to

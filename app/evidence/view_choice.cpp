@@ -32,6 +32,20 @@ std::vector<Item> thinned(const std::vector<Item>& all, std::size_t limit) {
   return kept;
 }
 
+// Each piece that is elsewhere, and steel that should not be there, is to be shown as a part is.
+// Which way a point of it faces is not known.
+void add_contradicting(const Inspection& inspection, std::size_t limit,
+                       std::vector<std::vector<Item>>& items) {
+  const auto add = [&](const std::vector<std::uint32_t>& places) {
+    std::vector<Item> points;
+    for (const std::uint32_t i : places)
+      points.push_back({inspection.scan_design.points[i], Eigen::Vector3f::Zero()});
+    items.push_back(thinned(points, limit));
+  };
+  for (const Piece& piece : inspection.pieces) add(piece.points);
+  for (const Unexpected& unexpected : inspection.unexpected) add(unexpected.points);
+}
+
 // What of each part there is to show.
 std::vector<std::vector<Item>> evidence_of(const InspectionRecord& record) {
   const auto& design = *record.design;
@@ -65,6 +79,7 @@ std::vector<std::vector<Item>> evidence_of(const InspectionRecord& record) {
   std::vector<std::vector<Item>> items(parts);
   for (std::size_t p = 0; p < parts; ++p)
     items[p] = thinned(measured[p].size() >= kMinMeasured ? measured[p] : nominal[p], limit);
+  add_contradicting(inspection, limit, items);
   return items;
 }
 

@@ -21,8 +21,8 @@ struct ViewChoice {
 // Greedy cover (Johnson 1974): of 26 directions round the design, and the sensor's own of a depth
 // frame, the one that shows most parts not shown yet, until all are that can be. A part is shown
 // where at least half as much of its evidence faces the picture unhidden as in the direction best
-// for it; evidence is its measured points, or the design's surface where there are too few. Two
-// views at least, six at most.
+// for it; evidence is its measured points, or the design's surface where there are too few. Steel
+// that contradicts the design counts as parts of its own. Two views at least, six at most.
 [[nodiscard]] std::vector<ViewChoice> choose_views(const InspectionRecord& record, double aspect);
 
 }  // namespace spool::evidence

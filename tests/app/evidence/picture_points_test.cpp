@@ -53,11 +53,47 @@ TEST(PicturePoints, LeaveOutOnlyTheClutterInFrontOfTheSteel) {
   add(0.0F, 0.11F, 1);  // the object itself
   add(0.0F, -0.5F, 0);  // clutter behind the box
   add(0.3F, 0.5F, 0);   // clutter beside it
-  const auto kept = without_hiding_clutter(all, *design->surface, eye, 5.0F);
+  const auto kept = without_hiding_clutter(all, *design->surface, eye, 5.0F, 0.001);
   EXPECT_EQ(kept.classes, (std::vector<std::uint8_t>{2, 1, 0, 0}));
   EXPECT_EQ(kept.positions.size(), kept.deviation_m.size());
   // Steel out of reach is not hidden.
-  EXPECT_EQ(without_hiding_clutter(all, *design->surface, eye, 0.1F).classes.size(), 5U);
+  EXPECT_EQ(without_hiding_clutter(all, *design->surface, eye, 0.1F, 0.001).classes.size(), 5U);
+}
+
+TEST(PicturePoints, LeaveOutTheClutterInFrontOfWhatContradicts) {
+  DesignModel model;
+  test::add_box(model, "box", {-0.1, -0.1, -0.1}, {0.1, 0.1, 0.1});
+  const auto design = test::prepared(std::move(model));
+  PicturePoints all;
+  const auto add = [&](const Eigen::Vector3f& point, std::uint8_t kind) {
+    all.positions.push_back(point);
+    all.deviation_m.push_back(0);
+    all.classes.push_back(kind);
+  };
+  // A plate of steel beside the box, seen from above; between its points nothing is to be seen
+  // either.
+  for (int x = 0; x < 20; ++x)
+    for (int y = 0; y < 20; ++y)
+      add({0.5F + 0.01F * static_cast<float>(x), 0.01F * static_cast<float>(y), 0.0F}, 2);
+  add({0.3F, 0.053F, 1.0F}, 0);     // before it, as seen from the eye
+  add({0.604F, 0.105F, -0.3F}, 0);  // behind it
+  add({0.604F, 0.105F, 0.01F}, 0);  // on it
+  add({0.3F, -0.2F, 1.0F}, 0);      // beside it
+  const auto kept =
+      without_hiding_clutter(all, *design->surface, Eigen::Vector3d(0, 0, 2), 5.0F, 0.01);
+  ASSERT_EQ(kept.classes.size(), 403U);
+  EXPECT_FLOAT_EQ(kept.positions[400].z(), -0.3F);
+}
+
+TEST(SteelBounds, HoldWhatContradictsAndNoClutter) {
+  const Eigen::AlignedBox3d design(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones());
+  PicturePoints points;
+  points.positions = {{2, 0, 0}, {0, 3, 0}, {0, 0, 4}};
+  points.deviation_m = {0, 0, 0};
+  points.classes = {2, 0, 1};
+  const Eigen::AlignedBox3d bounds = steel_bounds(points, design);
+  EXPECT_EQ(bounds.max(), Eigen::Vector3d(2, 1, 1));
+  EXPECT_EQ(bounds.min(), Eigen::Vector3d::Zero());
 }
 
 TEST(ObjectSpacing, IsTheGridsOwnAndIgnoresClutter) {

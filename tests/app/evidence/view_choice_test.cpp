@@ -52,6 +52,34 @@ TEST(ChooseViews, FindsTheOnlyWayIntoAChannel) {
   EXPECT_TRUE(looks_in);
 }
 
+TEST(ChooseViews, LooksAtSteelThatShouldNotBeThere) {
+  DesignModel model;
+  test::add_box(model, "plate", {0, 0, 0}, {1, 1, 0.01});
+  auto record = record_of(std::move(model));
+  // Measured from above only; below it, within the shadow of the plate from there, hangs a branch.
+  auto& inspection = record.inspection;
+  const auto add = [&](const Eigen::Vector3f& point, PointClass kind, float distance) {
+    inspection.scan_design.points.push_back(point);
+    inspection.declutter.classes.push_back(kind);
+    inspection.deviations.distance_m.push_back(distance);
+    inspection.deviations.part.push_back(0);
+  };
+  for (int i = 0; i < 100; ++i)
+    add({0.01F * static_cast<float>(i), 0.5F, 0.01F}, PointClass::kObject, 0.0F);
+  const auto looks_up = [](const std::vector<ViewChoice>& views) {
+    return least_along(views, -Eigen::Vector3d::UnitZ()) < -0.3;
+  };
+  ASSERT_FALSE(looks_up(choose_views(record, 1.6)));
+  Unexpected branch;
+  branch.part = 0;
+  for (int i = 0; i < 50; ++i) {
+    branch.points.push_back(static_cast<std::uint32_t>(inspection.scan_design.size()));
+    add({0.5F, 0.5F, -0.02F - 0.002F * static_cast<float>(i)}, PointClass::kContradicting, 0.02F);
+  }
+  inspection.unexpected.push_back(branch);
+  EXPECT_TRUE(looks_up(choose_views(record, 1.6)));
+}
+
 TEST(ChooseViews, LooksAtTheSideThatWasMeasured) {
   DesignModel model;
   test::add_box(model, "plate", {0, 0, 0}, {1, 1, 0.01});
