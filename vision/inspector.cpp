@@ -87,8 +87,8 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   StageClock clock(inspection.timing_s);
 
   // Where the picks, the pose or nothing put the scan.
-  const AlignRequest request{options.align, options.pairs, options.T_design_scan,
-                             design_->finder.get(), options.seed};
+  const AlignRequest request{options.align,         options.pairs, options.T_design_scan,
+                             design_->finder.get(), options.seed,  options.single_frame};
   Placement placement = place_scan(request, design, scan, typical_noise_m(scan, noise), watch);
   const double noise_m = placement.noise_m;
   const ExplainedDesign prepared{design, *design_->surface, design_->samples};
@@ -135,13 +135,22 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   clock.mark("declutter");
   // What that says of each part.
   std::vector<PartDeviation> parts(design.parts.size());
-  std::vector<int> missing;
+  std::vector<MissingPart> missing;
   if (!watch.cancelled()) {
     const std::vector<PointClass>& classes = inspection.declutter.classes;
     parts = summarise_parts(design, inspection.scan_design, classes, inspection.deviations,
                             design_->samples, watch);
-    missing =
-        missing_parts(design, inspection.scan_design, classes, design_->samples, parts, watch);
+    std::optional<Sight> sight;
+    std::optional<DesignInSight> in_sight;
+    if (options.single_frame && inspection.alignment.found)
+      in_sight.emplace(DesignInSight{
+          sight.emplace(scan.points),
+          between_local(inspection.alignment.T_design_scan, design.origin, scan.origin)
+              .inverse()
+              .cast<float>(),
+          deviation_bound(noise_m)});
+    missing = missing_parts(design, inspection.scan_design, classes, design_->samples, parts,
+                            in_sight ? &*in_sight : nullptr, watch);
   }
   if (watch.cancelled()) {  // half an inspection says nothing
     mark_stopped(inspection.alignment);
@@ -150,12 +159,13 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.pieces.clear();
     inspection.unexpected.clear();
   }
-  inspection.scan_rms_m = rms(inspection.deviations);
+  inspection.scan_rms_m = rms(inspection.deviations, inspection.declutter.classes);
   clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
   judge_pieces(design, inspection.pieces, inspection.parts);
   judge_unexpected(design, inspection.unexpected, inspection.parts);
+  judge_missing(design, missing, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
   if (inspection.alignment.found)
     for (Finding& finding : spool_findings(design, inspection.pieces, inspection.unexpected,

@@ -25,7 +25,9 @@ struct InspectorOptions {
   std::optional<Pose> T_design_scan;  // for kPose, files' own coordinates; taken as given
   DeclutterOptions declutter;
   bool units_confirmed = true;  // false: a unit was inferred, nothing may be ok
-  bool single_frame = false;    // the scan is one frame of a sequence; said in the report
+  // The scan is one frame of a sequence, in the frame of its camera, which looks along +z. Said in
+  // the report.
+  bool single_frame = false;
   std::uint32_t seed = 1;
 };
 

@@ -38,7 +38,7 @@ FindAnswer find_in_picture(const std::shared_ptr<const PreparedDesign>& design,
     return answer;
   }
   const PointCloud scan = measured_points(*pixels);
-  const AlignRequest request{AlignMethod::kFind, {}, std::nullopt, &finder, 1};
+  const AlignRequest request{AlignMethod::kFind, {}, std::nullopt, &finder, 1, true};
   const Placement placement =
       place_scan(request, design->model, scan, typical_noise_m(scan, noise), watch);
   answer.reason = placement.reason;

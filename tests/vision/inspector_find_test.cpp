@@ -3,10 +3,12 @@
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/shared_data.h"
+#include "tests/vision/find/room.h"
 #include "tests/vision/scene.h"
 #include "vision/design/design_reader.h"
 #include "vision/inspector.h"
@@ -112,6 +114,31 @@ TEST(MilkCarton, IsFoundWithNoHintAndNotWhereItWasCutOut) {
   const Alignment gone = find_in(*design, rest);
   EXPECT_FALSE(gone.found);
   EXPECT_NE(gone.reason.find("not found"), std::string::npos) << gone.reason;
+}
+
+TEST(ScanOfMillions, IsThinnedToBeSearchedAndSaysSoButAllOfItIsMeasured) {
+  const auto design = PreparedDesign::prepare(test::design_of(test::tee_spool()), 1, true);
+  ASSERT_TRUE(design);
+  std::mt19937 random{5};
+  const test::Room room = test::make_room(test::tee_spool(), {.noise_m = 0.001}, random);
+  std::normal_distribution<float> jitter(0.0F, 0.001F);
+  PointCloud scan;
+  while (scan.size() < 1'600'000)
+    for (const Eigen::Vector3f& p : room.points)
+      scan.points.emplace_back(p + Eigen::Vector3f(jitter(random), jitter(random), jitter(random)));
+  const auto inspection = Inspector(*design).process(scan, {.constant_m = 0.0015},
+                                                     {.align = AlignMethod::kFind, .seed = 1});
+  ASSERT_TRUE(inspection);
+  const Alignment& found = inspection->alignment;
+  ASSERT_TRUE(found.found) << found.reason;
+  EXPECT_NE(found.reason.find(std::to_string(scan.size()) + " points"), std::string::npos)
+      << found.reason;
+  EXPECT_LT(
+      test::pose_error((*design)->samples, found.T_design_scan, room.T_scan_design[0].inverse())
+          .worst_m,
+      0.002);
+  EXPECT_EQ(inspection->declutter.classes.size(), scan.size());
+  EXPECT_GT(inspection->declutter.object, 20'000U);
 }
 
 }  // namespace

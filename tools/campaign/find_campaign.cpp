@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -118,8 +119,16 @@ struct Saying {
   bool each = false, tried = false;
 };
 
-Result<void> run(const FindRow& row, std::uint32_t seed, const Saying& say, Tally& tally) {
+struct Wanted {
+  std::string filter;
+  int seeds = 10, first = 1;
+  std::optional<double> station_error_m;  // instead of the rows' own
+};
+
+Result<void> run(const FindRow& row, std::uint32_t seed, const Wanted& wanted, const Saying& say,
+                 Tally& tally) {
   SceneRequest request = row.request;
+  request.station_error_m = wanted.station_error_m.value_or(request.station_error_m);
   request.seed = seed;
   auto trial = make_find_trial(make_scene(request));
   if (!trial) return trial.error();
@@ -174,7 +183,7 @@ double quantile(std::vector<double> values, double q) {
                          static_cast<std::size_t>(q * static_cast<double>(values.size())))];
 }
 
-Result<int> campaign(const std::string& filter, int seeds, int first, const Saying& say) {
+Result<int> campaign(const Wanted& wanted, const Saying& say) {
   std::printf(
       "| %-21s | right | wrong | silent | ambig | named / of | misnamed | s med / max | mm med / "
       "max | "
@@ -182,10 +191,10 @@ Result<int> campaign(const std::string& filter, int seeds, int first, const Sayi
       "max | NR med / max |\n",
       "scene");
   for (const FindRow& row : find_rows()) {
-    if (row.name.find(filter) == std::string::npos) continue;
+    if (row.name.find(wanted.filter) == std::string::npos) continue;
     Tally tally;
-    for (int seed = first; seed < first + seeds; ++seed)
-      if (auto done = run(row, static_cast<std::uint32_t>(seed), say, tally); !done)
+    for (int seed = wanted.first; seed < wanted.first + wanted.seeds; ++seed)
+      if (auto done = run(row, static_cast<std::uint32_t>(seed), wanted, say, tally); !done)
         return done.error();
     std::printf(
         "| %-21s | %5d | %5d | %6d | %5d | %5d / %2d | %8d | %.2f / %.2f | %.2f / %.2f | %.3f | "
@@ -207,15 +216,20 @@ Result<int> campaign(const std::string& filter, int seeds, int first, const Sayi
 
 int main(int argc, char** argv) {
   CLI::App app{"Finds designs in scenes of known truth and prints how often that was right."};
-  std::string filter;
-  int seeds = 10, first = 1;
+  spool::campaign::Wanted wanted;
   spool::campaign::Saying say;
   spool::add_common_options(app, "spoolsight-find-campaign");
-  app.add_option("--rows", filter, "Only rows whose name holds this text")->type_name("TEXT");
-  app.add_option("--seeds", seeds, "Scenes of each row")->capture_default_str()->type_name("N");
-  app.add_option("--first", first, "First seed")->capture_default_str()->type_name("N");
+  app.add_option("--rows", wanted.filter, "Only rows whose name holds this text")
+      ->type_name("TEXT");
+  app.add_option("--seeds", wanted.seeds, "Scenes of each row")
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_option("--first", wanted.first, "First seed")->capture_default_str()->type_name("N");
+  app.add_option("--station-error-m", wanted.station_error_m,
+                 "Error of each laser station's registration, instead of 0.0006; 0: noise alone")
+      ->type_name("M");
   app.add_flag("--each", say.each, "A line for each scene");
   app.add_flag("--tried", say.tried, "The poses that were weighed in each scene as well");
   return spool::run_program(app, argc, argv,
-                            [&] { return spool::campaign::campaign(filter, seeds, first, say); });
+                            [&] { return spool::campaign::campaign(wanted, say); });
 }

@@ -10,7 +10,7 @@
 namespace spool {
 namespace {
 
-constexpr std::size_t kMostPoints = 1'500'000;  // above it every nth: memory stays bounded
+constexpr std::size_t kMostPoints = 1'500'000;  // more are thinned first: memory stays bounded
 constexpr std::size_t kSpacingPlaces = 500;
 
 // As far apart as the points are where they are off floor and walls: the median distance to the
@@ -29,20 +29,34 @@ double spacing_m(const std::vector<Eigen::Vector3f>& points, const PointIndex& i
   return double{*middle};
 }
 
+std::vector<Eigen::Vector3f> finite_of(std::span<const Eigen::Vector3f> scan) {
+  std::vector<Eigen::Vector3f> finite;
+  for (const Eigen::Vector3f& point : scan)
+    if (point.allFinite()) finite.push_back(point);
+  return finite;
+}
+
+// The means of cells as wide as the search looks at: what is sparse because it is far from the
+// scanner stays. Of a scan so wide that this does not do, every nth mean.
+std::vector<Eigen::Vector3f> thinned(std::span<const Eigen::Vector3f> scan, double cell_m,
+                                     const Watch& watch) {
+  std::vector<Eigen::Vector3f> means = thin_to_voxels(CloudView(scan), cell_m, watch).points;
+  const std::size_t step = means.size() / kMostPoints + 1;
+  for (std::size_t i = 0; i * step < means.size(); ++i) means[i] = means[i * step];
+  means.resize((means.size() + step - 1) / step);
+  return means;
+}
+
 }  // namespace
 
 FindScene::FindScene(const FinderModel& model, std::span<const Eigen::Vector3f> scan,
-                     double noise_m, const Watch& watch)
-    : model_(model), elements_(model.levels.size()) {
+                     double noise_m, const Watch& watch, const Sight* sight)
+    : model_(model), sight_(sight), elements_(model.levels.size()) {
   finite_ = static_cast<std::size_t>(std::count_if(
       scan.begin(), scan.end(), [](const Eigen::Vector3f& point) { return point.allFinite(); }));
-  std::vector<Eigen::Vector3f> finite;
-  const std::size_t step = std::max<std::size_t>(1, (finite_ + kMostPoints - 1) / kMostPoints);
-  was_cut_ = step > 1;
-  finite.reserve(finite_ / step + 1);
-  std::size_t next = 0;
-  for (const Eigen::Vector3f& point : scan)
-    if (point.allFinite() && next++ % step == 0) finite.push_back(point);
+  was_thinned_ = finite_ > kMostPoints;
+  const std::vector<Eigen::Vector3f> finite =
+      was_thinned_ ? thinned(scan, model.cell_m(), watch) : finite_of(scan);
   if (finite.empty() || watch.cancelled()) return;
   planes_ = dominant_planes(finite, {.size_m = model.size_m, .noise_m = noise_m}, watch);
   if (watch.cancelled()) return;

@@ -45,7 +45,7 @@ void add_pose(const FinderModel& model, PoseEvidence pose, std::vector<PoseEvide
         model.same_m())
       continue;
     pose.hits = known.hits + 1;
-    if (pose.explained > known.explained) known = pose;
+    if (pose.excess() > known.excess()) known = pose;
     known.hits = pose.hits;
     return;
   }
@@ -94,9 +94,9 @@ FindResult find_design(const FinderModel& model, std::span<const Eigen::Vector3f
   }
   // A scan too sparse to tell its own noise is no noisier for that.
   const double noise = std::min(options.noise_m, 0.003 * model.size_m);
-  FindScene scene(model, scan, noise, watch);
+  FindScene scene(model, scan, noise, watch, options.sight);
   result.scan_points = scene.finite();
-  result.was_cut = scene.was_cut();
+  result.was_thinned = scene.was_thinned();
   result.thinned_to = scene.points().size();
   result.planes = static_cast<int>(scene.planes().size());
   if (watch.cancelled()) {

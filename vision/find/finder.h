@@ -19,6 +19,8 @@ namespace spool {
 struct FindOptions {
   double noise_m = 0.003;  // m; standard deviation of a scan point, as far as it is known
   std::uint64_t seed = 1;
+  // Of a scan that is one depth image in the camera's frame: what it saw through is not there.
+  const Sight* sight = nullptr;
 };
 
 struct FindResult {
@@ -29,7 +31,7 @@ struct FindResult {
   std::vector<PoseEvidence> tried;   // all that were looked at closely, best first
   std::size_t scan_points = 0;       // finite ones
   std::size_t thinned_to = 0;        // points that were looked at, off floor and walls
-  bool was_cut = false;              // the scan has so many points that some were left out
+  bool was_thinned = false;          // the scan has so many points that not each was looked at
   int planes = 0;                    // floor, walls, tables set aside
   int rounds = 0;
 

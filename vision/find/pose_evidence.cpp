@@ -15,6 +15,9 @@ namespace spool {
 namespace {
 
 constexpr std::size_t kSpacingPlaces = 300;
+constexpr std::size_t kSightedPlaces = 600;
+constexpr double kSightGate = 0.01;  // of the size: a pose that was refined is off by less
+constexpr float kFacing = 0.3F;      // cosine; seen at less than 73 degrees from head on
 
 // As far apart as the scan's points are where it is explained (m): the median distance of an
 // explained point to its fourth neighbour in the whole scan. Were it the explained points' own
@@ -30,6 +33,21 @@ double spacing_m(const FindScene& scene, const std::vector<std::uint32_t>& on, d
   const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
   std::nth_element(fourth.begin(), middle, fourth.end());
   return double{*middle};
+}
+
+// What the camera saw where the design's surface would face it.
+Sighted sighted(const FinderModel& model, const Sight& sight,
+                const Eigen::Isometry3f& T_design_scan, double gate_m) {
+  const Eigen::Isometry3f T_scan_design = T_design_scan.inverse();
+  const std::size_t step = model.samples.size() / kSightedPlaces + 1;
+  const auto gate = static_cast<float>(std::max(2 * gate_m, kSightGate * model.size_m));
+  Sighted sighted;
+  for (std::size_t s = 0; s < model.samples.size(); s += step) {
+    const Eigen::Vector3f place = T_scan_design * model.samples.points[s];
+    const Eigen::Vector3f normal = T_scan_design.linear() * model.samples.normals[s];
+    if (-normal.dot(place.normalized()) > kFacing) sighted.add(sight.at(place, gate));
+  }
+  return sighted;
 }
 
 }  // namespace
@@ -89,6 +107,8 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
   for (const Eigen::Vector3f& p : model.probes) covered += vouched.is_near(p) ? 1U : 0U;
   evidence.coverage = static_cast<double>(covered) / static_cast<double>(model.probes.size());
   evidence.points = std::move(on);
+  if (scene.sight() != nullptr)
+    evidence.sighted = sighted(model, *scene.sight(), T_design_scan, gate_m);
   return evidence;
 }
 

@@ -11,6 +11,7 @@
 #include "vision/core/pose.h"
 #include "vision/find/find_scene.h"
 #include "vision/find/finder_model.h"
+#include "vision/scan/sight.h"
 
 namespace spool {
 
@@ -24,9 +25,13 @@ struct PoseEvidence {
   int hits = 0;               // independent draws that ended here
   std::vector<std::uint32_t> per_part;  // explained points on each part of the design
   std::vector<std::uint32_t> points;    // the explained points' places in the scene, ascending
+  Sighted sighted;  // of the surface that would face the camera; nothing where that is not known
 
-  // Points that would not be where they are if this were wrong.
-  [[nodiscard]] double excess() const { return static_cast<double>(explained) - chance; }
+  // Points that would not be where they are if this were wrong, less as many as would be there if
+  // this were right where the camera saw through it.
+  [[nodiscard]] double excess() const {
+    return (static_cast<double>(explained) - chance) * sighted.share_there();
+  }
 };
 
 // `gate_m`: within this of the surface a point is explained.

@@ -111,6 +111,7 @@ Piece piece_of(const WeighedMotion& weighed, std::vector<std::uint32_t> points,
   piece.motion = weighed.motion.move.cast<double>();
   piece.motion.linear() = Eigen::Quaterniond(piece.motion.linear()).normalized().toRotationMatrix();
   piece.points = std::move(points);
+  piece.explained = weighed.explained;
   piece.part = branch.part_far;
   if (piece.fault == PieceFault::kTooLong || piece.fault == PieceFault::kTooShort) {
     piece.amount = piece.motion.translation().dot(branch.frame.outward.cast<double>());

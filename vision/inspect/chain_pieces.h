@@ -26,9 +26,10 @@ struct Piece {
   int part = -1;   // that is to be named: the first of the piece, or the pipe of wrong length
   std::vector<int> parts;  // of the piece
   PieceFault fault = PieceFault::kTurned;
-  Pose motion = Pose::Identity();     // from where the design has the piece to where it is
-  double amount = 0;                  // rad turned, m too long or short
-  std::vector<std::uint32_t> points;  // of those given that lie on the moved piece, ascending
+  Pose motion = Pose::Identity();        // from where the design has the piece to where it is
+  double amount = 0;                     // rad turned, m too long or short
+  std::vector<std::uint32_t> points;     // of those left that lie on the moved piece, ascending
+  std::vector<std::uint32_t> explained;  // of those explained that lie on it as well, ascending
 };
 
 // Takes the branches at `joints` one by one (joint_tree() or datum_sides()) and looks whether each

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -14,6 +15,9 @@ struct ChainOptions {
   double noise_m = 0.003;  // m; standard deviation of a point
   double size_m = 1;       // m; the design's diagonal
   std::size_t most_pieces = 4;
+
+  // So near (m) a point lies on a surface.
+  [[nodiscard]] double gate_m() const { return std::max(3.5 * noise_m, 0.001 * size_m); }
 };
 
 // m, design frame.

@@ -92,7 +92,7 @@ ChainWeigher::ChainWeigher(std::span<const JointBranch> tree, std::span<const Pi
       design_(design),
       samples_(samples),
       options_(options),
-      gate_m_(std::max(3.5 * options.noise_m, 0.001 * options.size_m)) {}
+      gate_m_(options.gate_m()) {}
 
 std::size_t ChainWeigher::least_points() const { return kLeastPoints; }
 

@@ -169,11 +169,12 @@ std::vector<PartDeviation> summarise_parts(const DesignModel& design, const Clou
   return parts;
 }
 
-double rms(const Deviations& deviations) {
+double rms(const Deviations& deviations, std::span<const PointClass> classes) {
   double sum = 0;
   std::size_t count = 0;
-  for (const float d : deviations.distance_m) {
-    if (!std::isfinite(d)) continue;
+  for (std::size_t i = 0; i < deviations.distance_m.size(); ++i) {
+    const float d = deviations.distance_m[i];
+    if (classes[i] != PointClass::kObject || !std::isfinite(d)) continue;
     sum += double{d} * double{d};
     ++count;
   }

@@ -54,7 +54,8 @@ struct PartDeviation {
                                      const std::vector<Eigen::Vector3f>& points,
                                      double sample_radius);
 
-// Root mean square of all finite distances (eq. 3.1), m. Scan quality only.
-[[nodiscard]] double rms(const Deviations& deviations);
+// Root mean square of the object's finite distances (eq. 3.1), m. Scan quality only: steel that
+// contradicts the design says nothing of it. `classes`: one a deviation.
+[[nodiscard]] double rms(const Deviations& deviations, std::span<const PointClass> classes);
 
 }  // namespace spool

@@ -14,12 +14,6 @@ namespace {
 
 constexpr std::size_t kMostPieces = 4;
 
-// How far (m) from the surface a point still counts as the object's. Ten standard deviations: no
-// reading of the surface gets there by noise. At least 20 mm, over three times the widest tolerance
-// of PFI ES-3 for a dimension (6 mm), so that an error worth a verdict is coloured and not cut
-// away.
-float deviation_bound(double noise_m) { return static_cast<float>(std::max(10 * noise_m, 0.020)); }
-
 void forget_clutter(const std::vector<PointClass>& classes, Deviations& deviations) {
   for (std::size_t i = 0; i < classes.size(); ++i) {
     if (classes[i] != PointClass::kClutter) continue;
@@ -40,8 +34,12 @@ std::vector<Eigen::Vector3f> finite(const std::vector<Eigen::Vector3f>& points) 
 struct ChainInput {
   std::vector<Eigen::Vector3f> explained, left;
   std::vector<std::int32_t> explained_part;
-  std::vector<std::uint32_t> left_place;
+  std::vector<std::uint32_t> explained_place, left_place;
 };
+
+ChainOptions chain_options(const ExplainedDesign& design, const ExplainedScan& scan) {
+  return {.noise_m = scan.noise_m, .size_m = design.model.bounds().diagonal().norm()};
+}
 
 // Left: the unexplained points off floor and walls that a moved piece could meet, within the
 // design's own length of its middle.
@@ -58,6 +56,7 @@ ChainInput chain_input(const ExplainedDesign& design, const ExplainedScan& scan,
     if (classes[i] == PointClass::kObject) {
       input.explained.push_back(point);
       input.explained_part.push_back(explanation.deviations.part[i]);
+      input.explained_place.push_back(i);
       continue;
     }
     if (classes[i] != PointClass::kClutter || !((point - middle).norm() < reach)) continue;
@@ -68,6 +67,13 @@ ChainInput chain_input(const ExplainedDesign& design, const ExplainedScan& scan,
     input.left_place.push_back(i);
   }
   return input;
+}
+
+// What lies on the moved piece, and on the design only because that is not sharp, is the piece's.
+void take_badly_explained(double gate_m, const Deviations& deviations, Piece& piece) {
+  for (const std::uint32_t i : piece.explained)
+    if (double{std::abs(deviations.distance_m[i])} > gate_m) piece.points.push_back(i);
+  std::sort(piece.points.begin(), piece.points.end());
 }
 
 void mark_contradicting(const ExplainedDesign& design, const ExplainedScan& scan,
@@ -83,6 +89,8 @@ void mark_contradicting(const ExplainedDesign& design, const ExplainedScan& scan
 }
 
 }  // namespace
+
+float deviation_bound(double noise_m) { return static_cast<float>(std::max(10 * noise_m, 0.020)); }
 
 Explanation explain_by_thesis(const ExplainedDesign& design, const ExplainedScan& scan,
                               const DeclutterOptions& options, const Watch& watch) {
@@ -119,8 +127,10 @@ void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan, co
   explanation.pieces =
       moved_pieces(design, scan, explanation, joint_tree(design.model), kMostPieces, watch);
   // Steel of the spool in another place is evidence, and so is steel that should not be there.
-  for (const Piece& piece : explanation.pieces)
+  for (Piece& piece : explanation.pieces) {
+    take_badly_explained(chain_options(design, scan).gate_m(), explanation.deviations, piece);
     mark_contradicting(design, scan, piece.points, explanation);
+  }
   const ChainInput input = chain_input(design, scan, explanation);
   explanation.unexpected = unexpected_steel(design.model, design.surface,
                                             {.object = input.explained,
@@ -140,15 +150,16 @@ std::vector<Piece> moved_pieces(const ExplainedDesign& design, const ExplainedSc
                                 const Explanation& explanation, std::span<const JointBranch> tree,
                                 std::size_t most_pieces, const Watch& watch) {
   const ChainInput input = chain_input(design, scan, explanation);
+  ChainOptions options = chain_options(design, scan);
+  options.most_pieces = most_pieces;
   std::vector<Piece> pieces = chain_pieces(
       design.model, tree, design.samples,
       {.explained = input.explained, .explained_part = input.explained_part, .left = input.left},
-      {.noise_m = scan.noise_m,
-       .size_m = design.model.bounds().diagonal().norm(),
-       .most_pieces = most_pieces},
-      watch);
-  for (Piece& piece : pieces)
+      options, watch);
+  for (Piece& piece : pieces) {
     for (std::uint32_t& i : piece.points) i = input.left_place[i];
+    for (std::uint32_t& i : piece.explained) i = input.explained_place[i];
+  }
   return pieces;
 }
 

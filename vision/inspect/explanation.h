@@ -41,6 +41,12 @@ struct ExplainedScan {
   bool oriented_normals = true;  // its normals, if any, point to the sensor
 };
 
+// How far (m) from the surface a point still counts as the object's. Ten standard deviations: no
+// reading of the surface gets there by noise. At least 20 mm, over three times the widest tolerance
+// of PFI ES-3 for a dimension (6 mm), so that an error worth a verdict is coloured and not cut
+// away.
+[[nodiscard]] float deviation_bound(double noise_m);
+
 // What lies on the design's surface, and what is floor and wall: no pieces yet. Of a cancelled run
 // it says nothing.
 [[nodiscard]] Explanation explain_surface(const ExplainedDesign& design, const ExplainedScan& scan,

@@ -13,6 +13,8 @@ namespace {
 constexpr double kNothing = 0.05;       // of the part's own surface
 constexpr double kWell = 0.35;          // of what it is joined to
 constexpr std::size_t kFewSamples = 8;  // of its own surface: then all of it is looked at
+constexpr double kThere = 0.25;         // of what a camera looked at: no more of a missing part
+constexpr float kFacing = 0.3F;         // cosine; seen at less than 73 degrees from head on
 
 // What it is joined to shows well, and there is something.
 bool is_seen_all_round(const DesignModel& design, int part,
@@ -27,15 +29,69 @@ bool is_seen_all_round(const DesignModel& design, int part,
   return has_neighbour;
 }
 
+// Of a part's own surface, what shows.
+struct Shown {
+  std::size_t own = 0, own_shown = 0, all = 0, all_shown = 0;
+
+  [[nodiscard]] bool is_nothing() const {
+    const bool is_enough = own >= kFewSamples;
+    const auto shown = static_cast<double>(is_enough ? own_shown : all_shown);
+    return shown <= kNothing * static_cast<double>(is_enough ? own : all);
+  }
+};
+
+// The samples of a part, with whether nothing else of the design is within `apart_m` of each.
+template <class Look>
+void each_sample(const SurfaceSamples& samples, int part, const PointIndex& surface, float apart_m,
+                 const Look& look) {
+  std::vector<Neighbour> neighbours;
+  for (std::size_t s = 0; s < samples.part.size(); ++s) {
+    if (samples.part[s] != part) continue;
+    surface.within(samples.cloud.points[s], apart_m, neighbours);
+    look(s, std::none_of(neighbours.begin(), neighbours.end(),
+                         [&](const Neighbour& n) { return samples.part[n.index] != part; }));
+  }
+}
+
+Shown what_shows(const SurfaceSamples& samples, int part, const PointIndex& surface,
+                 const PointIndex& scan, float near_m) {
+  Shown shown;
+  each_sample(samples, part, surface, 2 * near_m, [&](std::size_t s, bool is_own) {
+    const bool is_shown = scan.nearest(samples.cloud.points[s], near_m).has_value();
+    ++shown.all;
+    shown.all_shown += is_shown ? 1U : 0U;
+    shown.own += is_own ? 1U : 0U;
+    shown.own_shown += is_own && is_shown ? 1U : 0U;
+  });
+  return shown;
+}
+
+bool is_seen_through(const SurfaceSamples& samples, int part, const PointIndex& surface,
+                     float near_m, const DesignInSight& in) {
+  Sighted sighted;
+  each_sample(samples, part, surface, 2 * near_m, [&](std::size_t s, bool is_own) {
+    const Eigen::Vector3f place = in.T_camera_design * samples.cloud.points[s];
+    const Eigen::Vector3f normal = in.T_camera_design.linear() * samples.cloud.normals[s];
+    if (is_own && -normal.dot(place.normalized()) > kFacing)
+      sighted.add(in.sight.at(place, in.gate_m));
+  });
+  return sighted.through >= kFewSamples && sighted.through >= sighted.others / 2 &&
+         sighted.share_there() < kThere;
+}
+
 }  // namespace
 
-std::vector<int> missing_parts(const DesignModel& design, const CloudView& scan_design,
-                               std::span<const PointClass> classes, const SurfaceSamples& samples,
-                               const std::vector<PartDeviation>& parts, const Watch& watch) {
-  std::vector<int> missing;
+std::vector<MissingPart> missing_parts(const DesignModel& design, const CloudView& scan_design,
+                                       std::span<const PointClass> classes,
+                                       const SurfaceSamples& samples,
+                                       const std::vector<PartDeviation>& parts,
+                                       const DesignInSight* in_sight, const Watch& watch) {
+  std::vector<MissingPart> missing;
   std::vector<int> doubtful;
+  const bool by_sight = in_sight != nullptr && samples.cloud.has_normals();
   for (std::size_t p = 0; p < parts.size(); ++p)
-    if (parts[p].coverage < kWell && is_seen_all_round(design, static_cast<int>(p), parts))
+    if (parts[p].coverage < kWell &&
+        (by_sight || is_seen_all_round(design, static_cast<int>(p), parts)))
       doubtful.push_back(static_cast<int>(p));
   std::vector<Eigen::Vector3f> points;
   for (std::size_t i = 0; i < classes.size() && !doubtful.empty(); ++i)
@@ -45,24 +101,10 @@ std::vector<int> missing_parts(const DesignModel& design, const CloudView& scan_
   const PointIndex surface(samples.cloud.points, watch);
   if (watch.cancelled()) return missing;
   const auto near = static_cast<float>(vouching_radius(scan, points, samples.radius_m));
-  std::vector<Neighbour> neighbours;
   for (const int part : doubtful) {
-    std::size_t own = 0, own_shown = 0, all = 0, all_shown = 0;
-    for (std::size_t s = 0; s < samples.part.size(); ++s) {
-      if (samples.part[s] != part) continue;
-      const bool is_shown = scan.nearest(samples.cloud.points[s], near).has_value();
-      ++all;
-      all_shown += is_shown ? 1U : 0U;
-      surface.within(samples.cloud.points[s], 2 * near, neighbours);
-      if (std::any_of(neighbours.begin(), neighbours.end(),
-                      [&](const Neighbour& n) { return samples.part[n.index] != part; }))
-        continue;
-      ++own;
-      own_shown += is_shown ? 1U : 0U;
-    }
-    const bool is_enough = own >= kFewSamples;
-    const auto shown = static_cast<double>(is_enough ? own_shown : all_shown);
-    if (shown <= kNothing * static_cast<double>(is_enough ? own : all)) missing.push_back(part);
+    if (by_sight ? is_seen_through(samples, part, surface, near, *in_sight)
+                 : what_shows(samples, part, surface, scan, near).is_nothing())
+      missing.push_back({part, by_sight});
   }
   return missing;
 }

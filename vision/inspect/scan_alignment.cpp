@@ -127,11 +127,16 @@ void place_by_finding(const AlignRequest& request, const PointCloud& scan, const
                       Placement& placement) {
   assert(request.finder && "a design that is to be found was prepared for it");
   const FinderModel& finder = *request.finder;
-  const FindResult result =
-      find_design(finder, scan.points, {.noise_m = placement.noise_m, .seed = request.seed}, watch);
+  FindOptions options{.noise_m = placement.noise_m, .seed = request.seed};
+  std::optional<Sight> sight;
+  if (request.is_depth_image) options.sight = &sight.emplace(scan.points);
+  const FindResult result = find_design(finder, scan.points, options, watch);
   placement.found = result.found;
   placement.reason = result.reason;
   if (!result.found) return;
+  if (result.was_thinned)
+    placement.reason = "The scan has " + std::to_string(result.scan_points) +
+                       " points and was thinned to be searched; all of them are measured.";
   placement.T_design_scan = result.best.T_design_scan;
   // A sparse scan does not tell its own noise, its distances to the surface do.
   placement.noise_m = std::min(placement.noise_m, std::max(1.2 * result.best.scale_m, 1e-4));
@@ -155,7 +160,9 @@ void align_by_finding(const Placement& placement, const PointCloud& near,
     const PieceShape shape(placement.is_held, samples);
     alignment.T_design_scan = shape.as_held(icp.T_design_scan * T.inverse()) * T;
   }
-  alignment.reason = what_to_mind(icp);
+  const std::string mind = what_to_mind(icp);
+  if (!alignment.reason.empty() && !mind.empty()) alignment.reason += ' ';
+  alignment.reason += mind;
   alignment.ambiguous = !placement.alternatives.empty();
   alignment.is_symmetric = placement.is_symmetric;
   alignment.alternatives = placement.alternatives;

@@ -25,6 +25,7 @@ struct AlignRequest {
   std::optional<Pose> T_design_scan;
   const FinderModel* finder = nullptr;  // for kFind
   std::uint32_t seed = 1;               // of its draws
+  bool is_depth_image = false;          // the scan is what a camera at its origin sees along +z
 };
 
 // A first placement, between the origin-free frames that everything inside computes in.

@@ -41,11 +41,19 @@ std::string what_sticks_out(const DesignModel& design, const Unexpected& it) {
          rounded(1000 * it.reach_m) + " mm.";
 }
 
+std::string what_is_missing(const DesignModel& design, const MissingPart& it) {
+  return design.parts[static_cast<std::size_t>(it.part)].name +
+         (it.is_seen_through
+              ? " is missing: the camera saw what lies behind its place."
+              : " does not show although what it is joined to does: it is missing, or something "
+                "hides it.");
+}
+
 }  // namespace
 
 std::vector<Finding> spool_findings(const DesignModel& design, const std::vector<Piece>& pieces,
                                     const std::vector<Unexpected>& unexpected,
-                                    const std::vector<int>& missing,
+                                    const std::vector<MissingPart>& missing,
                                     const std::vector<PartFinding>& parts) {
   std::vector<Finding> findings;
   std::vector<std::uint8_t> is_elsewhere(design.parts.size(), 0);
@@ -64,13 +72,10 @@ std::vector<Finding> spool_findings(const DesignModel& design, const std::vector
                         what_sticks_out(design, it),
                         std::to_string(it.points.size()) +
                             " scan points are joined to it, and to nothing that stands"});
-  for (const int part : missing) {
-    const auto p = static_cast<std::size_t>(part);
+  for (const MissingPart& it : missing) {
+    const auto p = static_cast<std::size_t>(it.part);
     if (is_elsewhere[p] != 0) continue;
-    findings.push_back({"missing", design.parts[p].name,
-                        design.parts[p].name +
-                            " does not show although what it is joined to does: it is missing, or "
-                            "something hides it.",
+    findings.push_back({"missing", design.parts[p].name, what_is_missing(design, it),
                         std::to_string(parts[p].deviation.points) + " scan points lie on it"});
   }
   return findings;
@@ -89,6 +94,16 @@ void judge_pieces(const DesignModel& design, const std::vector<Piece>& pieces,
     PartFinding& named = parts[static_cast<std::size_t>(piece.part)];
     named.status = Verdict::kNotOk;
     named.reason = text;
+  }
+}
+
+void judge_missing(const DesignModel& design, const std::vector<MissingPart>& missing,
+                   std::vector<PartFinding>& parts) {
+  for (const MissingPart& it : missing) {
+    PartFinding& finding = parts[static_cast<std::size_t>(it.part)];
+    if (finding.status != Verdict::kNotMeasured) continue;
+    if (it.is_seen_through) finding.status = Verdict::kSuspicious;
+    finding.reason = what_is_missing(design, it);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "vision/design/design_model.h"
 #include "vision/inspect/inspection.h"
+#include "vision/inspect/missing_parts.h"
 
 namespace spool {
 
@@ -17,13 +18,17 @@ namespace spool {
 [[nodiscard]] std::vector<Finding> spool_findings(const DesignModel& design,
                                                   const std::vector<Piece>& pieces,
                                                   const std::vector<Unexpected>& unexpected,
-                                                  const std::vector<int>& missing,
+                                                  const std::vector<MissingPart>& missing,
                                                   const std::vector<PartFinding>& parts);
 
 // A part that the evidence shows in another place than the design's is not ok, whatever its
 // features; what hangs on it moved with it.
 void judge_pieces(const DesignModel& design, const std::vector<Piece>& pieces,
                   std::vector<PartFinding>& parts);
+
+// Of a part that was not measured, why. That it was seen through is more than that it was not seen.
+void judge_missing(const DesignModel& design, const std::vector<MissingPart>& missing,
+                   std::vector<PartFinding>& parts);
 
 // What a part carries that the design does not have is to be looked at, whatever its features.
 void judge_unexpected(const DesignModel& design, const std::vector<Unexpected>& unexpected,

@@ -86,14 +86,15 @@ struct Cell {
 
 }  // namespace
 
-PointCloud thin_to_voxels(const CloudView& cloud, double cell_m) {
+PointCloud thin_to_voxels(const CloudView& cloud, double cell_m, const Watch& watch) {
   assert(cell_m > 0 && "a cell has a size");
   CellTable table(cell_m, cloud.size() / 8);
   std::vector<Cell> cells;
-  std::vector<std::uint32_t> cell_of(cloud.size(), kFree);
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
+  std::vector<std::uint32_t> cell_of;
+  if (!watched_fill(cell_of, cloud.size(), kFree, watch)) return {};
+  const bool is_sorted = watched_loop(cloud.size(), watch, [&](std::size_t i) {
     const Eigen::Vector3f& point = cloud.points[i];
-    if (!point.allFinite()) continue;
+    if (!point.allFinite()) return;
     const std::uint32_t number = table.find_or_add(point);
     if (number == cells.size()) cells.emplace_back();
     Cell& cell = cells[number];
@@ -101,7 +102,8 @@ PointCloud thin_to_voxels(const CloudView& cloud, double cell_m) {
     if (cloud.has_normals()) cell.normal_sum += cloud.normals[i].cast<double>();
     ++cell.count;
     cell_of[i] = number;
-  }
+  });
+  if (!is_sorted) return {};
 
   PointCloud thin;
   thin.points.reserve(cells.size());
@@ -114,16 +116,16 @@ PointCloud thin_to_voxels(const CloudView& cloud, double cell_m) {
                                   : Eigen::Vector3f::Zero());
   }
   thin.pixels.resize(cells.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cell_of[i] == kFree) continue;
+  const bool has_nearest = watched_loop(cloud.size(), watch, [&](std::size_t i) {
+    if (cell_of[i] == kFree) return;
     Cell& cell = cells[cell_of[i]];
     const float squared = (cloud.points[i] - thin.points[cell_of[i]]).squaredNorm();
     if (squared < cell.nearest_squared) {
       cell.nearest_squared = squared;
       thin.pixels[cell_of[i]] = static_cast<std::uint32_t>(i);
     }
-  }
-  return thin;
+  });
+  return has_nearest ? thin : PointCloud{};
 }
 
 double voxel_size_for(const CloudView& cloud, std::size_t target) {

@@ -41,6 +41,11 @@ PoseEvidence loose(PoseEvidence pose, int free_motions) {
   return pose;
 }
 
+PoseEvidence sighted(PoseEvidence pose, std::size_t there, std::size_t through) {
+  pose.sighted = {there, through, 0};
+  return pose;
+}
+
 struct Case {
   const char* name;
   std::vector<PoseEvidence> poses;
@@ -90,6 +95,18 @@ INSTANTIATE_TEST_SUITE_P(
              "several places"},
         Case{"a_rival_of_a_part_seen_far_behind",
              {evidence(0, 1000, 0.4), evidence(0, 750, 0.35)},
+             true,
+             {},
+             ""},
+        // A camera saw what lies behind most of it; a third of it may well be missing.
+        Case{"seen_through",
+             {sighted(evidence(0, 1000, 0.6), 100, 120)},
+             false,
+             {},
+             "saw what lies behind"},
+        Case{"a_third_seen_through", {sighted(evidence(0, 1000, 0.6), 200, 100)}, true, {}, ""},
+        Case{"a_rival_that_was_seen_through",
+             {evidence(0, 1000, 0.4), sighted(evidence(0, 990, 0.4), 300, 100)},
              true,
              {},
              ""},

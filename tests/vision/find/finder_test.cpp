@@ -39,7 +39,7 @@ TEST(Finder, FindsATeeInACrowdedRoomAndNothingWhereItIsNot) {
     EXPECT_FALSE(found.is_ambiguous()) << "seed " << seed;
     EXPECT_LT(off(model, room, found.best.T_design_scan), kOff) << "seed " << seed;
     EXPECT_EQ(found.scan_points, room.points.size());
-    EXPECT_FALSE(found.was_cut);
+    EXPECT_FALSE(found.was_thinned);
     EXPECT_GE(found.planes, 2);
     EXPECT_GT(found.best.coverage, 0.35);
   }

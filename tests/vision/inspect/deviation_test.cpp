@@ -124,8 +124,15 @@ TEST(Deviation, StatisticsAreThoseOfTheNumbers) {
   EXPECT_NEAR(part.rms_m, 0.001 * std::sqrt(338350.0 / 100.0), 1e-7);  // sum of squares 338350
   EXPECT_NEAR(part.p95_abs_m, 0.095, 1e-7);
   EXPECT_NEAR(part.max_abs_m, 0.1, 1e-7);
-  EXPECT_NEAR(rms(deviations), part.rms_m, 1e-12);
-  EXPECT_EQ(rms(Deviations{}), 0.0);
+  EXPECT_NEAR(rms(deviations, classes), part.rms_m, 1e-12);
+  EXPECT_EQ(rms(Deviations{}, {}), 0.0);
+}
+
+TEST(Deviation, SteelThatContradictsSaysNothingOfTheScan) {
+  Deviations deviations;
+  deviations.distance_m = {0.003F, -0.004F, 0.2F};
+  const std::vector classes{PointClass::kObject, PointClass::kObject, PointClass::kContradicting};
+  EXPECT_NEAR(rms(deviations, classes), std::sqrt((9e-6 + 16e-6) / 2), 1e-8);
 }
 
 TEST(Coverage, IsTheShareOfTheSurfaceThatWasSeen) {
