@@ -10,6 +10,14 @@
 
 namespace spool::test {
 
+// What Watch promises, s. A sanitizer makes everything take several times as long, and the thread
+// sanitizer's loops are serial.
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+inline constexpr double kObeyed_s = 1.0;
+#else
+inline constexpr double kObeyed_s = 0.1;
+#endif
+
 // Seconds here are processor time of the calling thread, so that a busy machine changes nothing.
 [[nodiscard]] double seconds_of(const std::function<void()>& work);
 

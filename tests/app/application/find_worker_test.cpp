@@ -12,19 +12,13 @@
 
 #include "app/runner/frame_processor.h"
 #include "tests/app/runner/simulated_scene.h"
+#include "tests/support/cancelling.h"
 
 namespace spool {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
-
-// The thread sanitizer takes some ten times as long for everything, and parallel loops are serial.
-#ifdef __SANITIZE_THREAD__
-constexpr double kObeyed_s = 1.0;
-#else
-constexpr double kObeyed_s = 0.1;
-#endif
 
 NoiseModel noise() {
   NoiseModel model;
@@ -92,7 +86,7 @@ TEST(FindWorker, SaysWhyNothingWasFound) {
 // tries, since other programs may hold the cores.
 double busy_after_cancel_s(int after_ms, const VisionStatePtr& seen) {
   double least = 1e9;
-  for (int i = 0; i < 5 && least > kObeyed_s; ++i) {
+  for (int i = 0; i < 5 && least > test::kObeyed_s; ++i) {
     const auto finder = worker();
     finder->start(seen);
     std::this_thread::sleep_for(milliseconds(after_ms));
@@ -108,7 +102,7 @@ double busy_after_cancel_s(int after_ms, const VisionStatePtr& seen) {
 TEST(FindWorker, CancelFreesTheThreadWithinATenthOfASecond) {
   const VisionStatePtr seen = without_bracket();  // the longest search
   for (const int after_ms : {0, 40, 150, 300, 500, 900})
-    EXPECT_LT(busy_after_cancel_s(after_ms, seen), kObeyed_s) << after_ms << " ms into it";
+    EXPECT_LT(busy_after_cancel_s(after_ms, seen), test::kObeyed_s) << after_ms << " ms into it";
 }
 
 TEST(FindWorker, CancelReturnsAtOnce) {

@@ -97,7 +97,7 @@ TEST(Finder, StopsWithinATenthOfASecond) {
   const test::Room room = test::make_room(test::tee_spool(), {.copies = 0}, random);
   static_cast<void>(tee());
   for (const int after_ms : {0, 30, 100, 250})
-    EXPECT_LT(delay_s(room.points, after_ms), 0.1) << after_ms;
+    EXPECT_LT(delay_s(room.points, after_ms), test::kObeyed_s) << after_ms;
 }
 
 // What is prepared of a design takes longer than most searches.
@@ -122,7 +122,7 @@ TEST(Finder, StopsPreparingADesignWithinATenthOfASecond) {
         share * whole_s, [&](const Watch& watch) { static_cast<void>(prepare(watch)); });
     if (!obeyed_s) continue;  // it was done before
     ++stopped;
-    EXPECT_LT(*obeyed_s, 0.1) << share;
+    EXPECT_LT(*obeyed_s, test::kObeyed_s) << share;
   }
   EXPECT_GE(stopped, 5);
 }

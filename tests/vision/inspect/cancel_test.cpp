@@ -14,8 +14,6 @@
 namespace spool {
 namespace {
 
-constexpr double kObeyed_s = 0.1;  // s; what Watch promises
-
 // `count` points evenly over a cube of 2 m, in no order: the sequence of the plastic number
 // (Roberts 2018), which costs next to nothing to make.
 std::vector<Eigen::Vector3f> strewn_points(std::size_t count) {
@@ -40,7 +38,7 @@ TEST(Cancel, EndsDeclutterInTheMiddleAndNothingIsKept) {
       found = declutter_knn(CloudView(scan), CloudView(model), {}, watch);
     });
     ASSERT_TRUE(obeyed_s) << "it ended before it was told to";
-    EXPECT_LT(*obeyed_s, kObeyed_s) << share;
+    EXPECT_LT(*obeyed_s, test::kObeyed_s) << share;
     EXPECT_EQ(found.object, 0U);
     EXPECT_EQ(found.clutter, scan.size());
     EXPECT_EQ(found.classes.size(), scan.size());
@@ -57,7 +55,7 @@ TEST(Cancel, EndsDeclutterOfTwentyMillionPoints) {
       found = declutter_knn(CloudView(scan), CloudView(model), {}, watch);
     });
     ASSERT_TRUE(obeyed_s) << "it ended before it was told to";
-    EXPECT_LT(*obeyed_s, kObeyed_s) << after_s;
+    EXPECT_LT(*obeyed_s, test::kObeyed_s) << after_s;
     EXPECT_EQ(found.object, 0U);
   }
 }
@@ -81,7 +79,7 @@ class CancelledDeviation : public testing::Test {
       found = measure_deviations(CloudView(scan_), classes_, *surface_, 0.05F, watch);
     });
     ASSERT_TRUE(obeyed_s) << "it ended before it was told to";
-    EXPECT_LT(*obeyed_s, kObeyed_s);
+    EXPECT_LT(*obeyed_s, test::kObeyed_s);
     measured_ = std::count_if(found.part.begin(), found.part.end(),
                               [](std::int32_t part) { return part >= 0; });
     EXPECT_LT(measured_, static_cast<std::ptrdiff_t>(count));
