@@ -4,7 +4,7 @@
 #include "vision/inspector.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 #include "vision/core/stage_clock.h"
 #include "vision/design/exterior.h"
@@ -53,6 +53,16 @@ void drop_pieces(const std::vector<Piece>& pieces, const PreparedDesign& design,
   alignment.is_symmetric = std::all_of(others.begin(), others.end(), [&](const Pose& other) {
     return design.finder->are_symmetric(T_found, local(other));
   });
+}
+
+// How the camera saw the design; nothing of a scan that is not one camera's.
+std::optional<DesignInSight> in_sight(const InspectorOptions& options, const PointCloud& scan,
+                                      const DesignModel& design, const Alignment& alignment,
+                                      double noise_m) {
+  if (!options.single_frame || !alignment.found) return std::nullopt;
+  const Pose T_design_camera = between_local(alignment.T_design_scan, design.origin, scan.origin);
+  return DesignInSight{Sight(scan.points), T_design_camera.inverse().cast<float>(),
+                       deviation_bound(noise_m)};
 }
 
 }  // namespace
@@ -140,17 +150,8 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     const std::vector<PointClass>& classes = inspection.declutter.classes;
     parts = summarise_parts(design, inspection.scan_design, classes, inspection.deviations,
                             design_->samples, watch);
-    std::optional<Sight> sight;
-    std::optional<DesignInSight> in_sight;
-    if (options.single_frame && inspection.alignment.found)
-      in_sight.emplace(DesignInSight{
-          sight.emplace(scan.points),
-          between_local(inspection.alignment.T_design_scan, design.origin, scan.origin)
-              .inverse()
-              .cast<float>(),
-          deviation_bound(noise_m)});
     missing = missing_parts(design, inspection.scan_design, classes, design_->samples, parts,
-                            in_sight ? &*in_sight : nullptr, watch);
+                            in_sight(options, scan, design, inspection.alignment, noise_m), watch);
   }
   if (watch.cancelled()) {  // half an inspection says nothing
     mark_stopped(inspection.alignment);

@@ -85,10 +85,11 @@ std::vector<MissingPart> missing_parts(const DesignModel& design, const CloudVie
                                        std::span<const PointClass> classes,
                                        const SurfaceSamples& samples,
                                        const std::vector<PartDeviation>& parts,
-                                       const DesignInSight* in_sight, const Watch& watch) {
+                                       const std::optional<DesignInSight>& in_sight,
+                                       const Watch& watch) {
   std::vector<MissingPart> missing;
   std::vector<int> doubtful;
-  const bool by_sight = in_sight != nullptr && samples.cloud.has_normals();
+  const bool by_sight = in_sight && samples.cloud.has_normals();
   for (std::size_t p = 0; p < parts.size(); ++p)
     if (parts[p].coverage < kWell &&
         (by_sight || is_seen_all_round(design, static_cast<int>(p), parts)))

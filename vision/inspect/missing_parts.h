@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace spool {
 
 // Where a depth image was taken from, and what it saw.
 struct DesignInSight {
-  const Sight& sight;
+  Sight sight;
   Eigen::Isometry3f T_camera_design;
   float gate_m;  // so far off (m) it is the part, out of place
 };
@@ -29,13 +30,13 @@ struct MissingPart {
 
 // Ascending. A part's own surface is looked for where nothing else of the design is near enough to
 // be taken for it: the end of a pipe lies on the hub of the flange that is not there. Of a depth
-// image (`in_sight`; null of any other scan) a part is missing where the camera saw through it; of
+// image (`in_sight`; of no other scan) a part is missing where the camera saw through it; of
 // any other, where it does not show although what it is joined to does.
 // `scan_design`: m, design frame, of which the object's points count; `parts`: summarise_parts() of
 // the same. None of a cancelled run.
 [[nodiscard]] std::vector<MissingPart> missing_parts(
     const DesignModel& design, const CloudView& scan_design, std::span<const PointClass> classes,
     const SurfaceSamples& samples, const std::vector<PartDeviation>& parts,
-    const DesignInSight* in_sight = nullptr, const Watch& watch = {});
+    const std::optional<DesignInSight>& in_sight = std::nullopt, const Watch& watch = {});
 
 }  // namespace spool

@@ -63,10 +63,10 @@ std::vector<MissingPart> missing_in(const PointCloud& scan) {
       explain_surface(jointed().explained(), {scan_design, kNoise, false});
   const auto parts = summarise_parts(jointed().design, scan_design, explanation.declutter.classes,
                                      explanation.deviations, jointed().samples);
-  const Sight sight(scan.points);
-  const DesignInSight in_sight{sight, T.inverse().cast<float>(), deviation_bound(kNoise)};
+  const DesignInSight in_sight{Sight(scan.points), T.inverse().cast<float>(),
+                               deviation_bound(kNoise)};
   return missing_parts(jointed().design, scan_design, explanation.declutter.classes,
-                       jointed().samples, parts, &in_sight);
+                       jointed().samples, parts, in_sight);
 }
 
 TEST(MissingInSight, IsNothingOfASpoolThatIsThere) {
