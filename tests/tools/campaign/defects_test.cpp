@@ -130,7 +130,7 @@ TEST(Tilted, LeansOneFlangeByItsAngleAboutItsWeld) {
   const auto at = static_cast<std::size_t>(flange);
   const Pose moved = built.motion(at);
   EXPECT_NEAR(Eigen::AngleAxisd(moved.linear()).angle(), 2 * kDegree, 1e-9);
-  const auto weld = ports_of(built.design.members[at].spec)[1].T_part_port.translation();
+  const Eigen::Vector3d weld = ports_of(built.design.members[at].spec)[1].T_part_port.translation();
   EXPECT_LT((built.after[at] * weld - built.before[at] * weld).norm(), kExact);
   // The axis leans by the whole angle: none of it is a turn of the holes.
   EXPECT_NEAR(built.after[at].linear().col(2).dot(built.before[at].linear().col(2)),
