@@ -7,6 +7,7 @@
 
 #include "app/common/cli.h"
 #include "tools/compare/find_case.h"
+#include "tools/compare/summary.h"
 #include "vision/find/finder.h"
 
 namespace spool::compare {
@@ -45,17 +46,6 @@ struct Tally {
   int right = 0, wrong = 0, silent = 0;
   std::vector<double> seconds, miss_mm;  // miss of those that were right
 };
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double most(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-}
 
 void judge(const ComparedTrial& of, const Method& method, Tally& tally) {
   const auto start = std::chrono::steady_clock::now();

@@ -8,6 +8,7 @@
 
 #include "app/common/cli.h"
 #include "tools/compare/icp_case.h"
+#include "tools/compare/summary.h"
 #include "vision/align/icp.h"
 
 namespace spool::compare {
@@ -103,17 +104,6 @@ void measure(const IcpCase& of, const IcpContender& contender, int repeats, Line
   line.wall_ms.push_back(1000 * (few.wall - index.wall) / kFew);
   line.processor_ms.push_back(1000 * (few.processor - index.processor) / kFew);
   line.late_ms.push_back(1000 * (many.wall - few.wall) / (kMany - kFew));
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double most(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
 Result<int> compare(Request request) {

@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t kSpacingPlaces = 300;
 constexpr std::size_t kSightedPlaces = 600;
 constexpr double kSightGate = 0.01;  // of the size: a pose that was refined is off by less
-constexpr float kFacing = 0.3F;      // cosine; seen at less than 73 degrees from head on
 
 // As far apart as the scan's points are where it is explained (m): the median distance of an
 // explained point to its fourth neighbour in the whole scan. Were it the explained points' own
@@ -42,11 +41,9 @@ Sighted sighted(const FinderModel& model, const Sight& sight,
   const std::size_t step = model.samples.size() / kSightedPlaces + 1;
   const auto gate = static_cast<float>(std::max(2 * gate_m, kSightGate * model.size_m));
   Sighted sighted;
-  for (std::size_t s = 0; s < model.samples.size(); s += step) {
-    const Eigen::Vector3f place = T_scan_design * model.samples.points[s];
-    const Eigen::Vector3f normal = T_scan_design.linear() * model.samples.normals[s];
-    if (-normal.dot(place.normalized()) > kFacing) sighted.add(sight.at(place, gate));
-  }
+  for (std::size_t s = 0; s < model.samples.size(); s += step)
+    sighted.look(sight, T_scan_design * model.samples.points[s],
+                 T_scan_design.linear() * model.samples.normals[s], gate);
   return sighted;
 }
 

@@ -14,7 +14,6 @@ constexpr double kNothing = 0.05;       // of the part's own surface
 constexpr double kWell = 0.35;          // of what it is joined to
 constexpr std::size_t kFewSamples = 8;  // of its own surface: then all of it is looked at
 constexpr double kThere = 0.25;         // of what a camera looked at: no more of a missing part
-constexpr float kFacing = 0.3F;         // cosine; seen at less than 73 degrees from head on
 
 // What it is joined to shows well, and there is something.
 bool is_seen_all_round(const DesignModel& design, int part,
@@ -70,10 +69,9 @@ bool is_seen_through(const SurfaceSamples& samples, int part, const PointIndex& 
                      float near_m, const DesignInSight& in) {
   Sighted sighted;
   each_sample(samples, part, surface, 2 * near_m, [&](std::size_t s, bool is_own) {
-    const Eigen::Vector3f place = in.T_camera_design * samples.cloud.points[s];
-    const Eigen::Vector3f normal = in.T_camera_design.linear() * samples.cloud.normals[s];
-    if (is_own && -normal.dot(place.normalized()) > kFacing)
-      sighted.add(in.sight.at(place, in.gate_m));
+    if (is_own)
+      sighted.look(in.sight, in.T_camera_design * samples.cloud.points[s],
+                   in.T_camera_design.linear() * samples.cloud.normals[s], in.gate_m);
   });
   return sighted.through >= kFewSamples && sighted.through >= sighted.others / 2 &&
          sighted.share_there() < kThere;

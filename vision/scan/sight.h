@@ -42,10 +42,17 @@ class Sight {
   std::vector<Cell> cells_;
 };
 
-// Of some places, how many a camera saw something at, and how many it saw through.
+// Of some places of a surface, how many a camera saw something at, and how many it saw through.
 struct Sighted {
   std::size_t there = 0, through = 0, others = 0;
 
+  // A place of a surface that would face the camera (m, camera frame; unit normal); what looks away
+  // is not counted.
+  void look(const Sight& sight, const Eigen::Vector3f& place, const Eigen::Vector3f& normal,
+            float gate_m) {
+    constexpr float kFacing = 0.3F;  // cosine; seen at less than 73 degrees from head on
+    if (-normal.dot(place.normalized()) > kFacing) add(sight.at(place, gate_m));
+  }
   void add(Seen seen) {
     ++(seen == Seen::kThere ? there : seen == Seen::kThrough ? through : others);
   }
