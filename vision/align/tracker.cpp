@@ -1,0 +1,270 @@
+// Follows the camera through the scene: frame to scan map, with what the pose is worth.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/align/tracker.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "vision/align/frame_samples.h"
+#include "vision/align/map_fit.h"
+#include "vision/align/motion_prediction.h"
+#include "vision/align/stored_views.h"
+#include "vision/core/stage_clock.h"
+
+namespace spool {
+namespace {
+
+constexpr double kMajority = 0.5;     // of what bears on a motion has to speak for the pose
+constexpr double kFrame = 1.0 / 30;   // s, where the clock says nothing
+constexpr std::size_t kFewest = 200;  // samples to say anything by
+constexpr std::size_t kViewsToTry = 12;
+constexpr double kCoverage95 = 2;  // standard uncertainties
+
+double largest_sigma(const Matrix6d& covariance, int first) {
+  const Eigen::Matrix3d block = first == 0 ? Eigen::Matrix3d(covariance.topLeftCorner<3, 3>())
+                                           : Eigen::Matrix3d(covariance.bottomRightCorner<3, 3>());
+  return std::sqrt(
+      std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block, Eigen::EigenvaluesOnly)
+                        .eigenvalues()[2]));
+}
+
+// Whether a first frame's own surface holds all motions: a map of a bare wall carries no pose.
+bool holds_all_motions(const FrameSamples& frame) {
+  std::vector<Correspondence> self;
+  self.reserve(frame.samples.size());
+  for (const FrameSample& sample : frame.samples)
+    self.push_back(
+        {sample.point, sample.normal, 0.0F, static_cast<float>(frame.variance) / sample.variance});
+  const HeldMotions motions = held_motions(build_normal_equations(self), self);
+  return std::none_of(motions.weak.begin(), motions.weak.end(), [](bool weak) { return weak; });
+}
+
+}  // namespace
+
+std::optional<Error> validate(const TrackerOptions& options) {
+  if (auto wrong = validate(options.map)) return wrong;
+  const bool good = options.samples > 0 && options.good_m > 0 && options.good_rad > 0 &&
+                    options.confirmations >= 0 && options.searches_per_frame > 0 &&
+                    options.most_gap_s > 0;
+  if (good) return std::nullopt;
+  return Error{ErrorCode::kUsage, "tracker options: counts, lengths and times must be positive"};
+}
+
+std::string_view name(PoseQuality quality) {
+  switch (quality) {
+    case PoseQuality::kGood:
+      return "good";
+    case PoseQuality::kPoor:
+      return "poor";
+    case PoseQuality::kLost:
+      break;
+  }
+  return "lost";
+}
+
+struct Tracker::Impl {
+  TrackerOptions options;
+  ScanMap map;
+  MotionPrediction motion;
+  StoredViews views;
+  Matrix6d covariance = Matrix6d::Zero();  // of the last pose
+  double clock_s = 0;                      // our own: never goes back
+  std::optional<double> frame_s;           // the source's, of the last frame
+  bool is_lost = true;
+  int unconfirmed = 0;       // frames that a pose found anew still has to be borne out by
+  std::size_t searches = 0;  // since it was lost
+
+  explicit Impl(const TrackerOptions& with) : options(with), map(with.map) {}
+
+  double advance(double seconds);
+  void start(const SeenFrame& frame, const FrameSamples& samples, TrackedPose& tracked);
+  void follow(const SeenFrame& frame, const FrameSamples& samples, double passed_s,
+              TrackedPose& tracked);
+  void search(const SeenFrame& frame, const FrameSamples& samples, TrackedPose& tracked);
+  void take_over(const MapFit& fit, double passed_s, TrackedPose& tracked);
+  void grade(const MapFit& fit, TrackedPose& tracked) const;
+  void fuse(const SeenFrame& frame, TrackedPose& tracked);
+};
+
+Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {
+  assert(!validate(options) && "options that make sense");
+}
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker& Tracker::operator=(Tracker&&) noexcept = default;
+
+const ScanMap& Tracker::map() const { return impl_->map; }
+
+void Tracker::clear() { *impl_ = Impl(impl_->options); }
+
+// Seconds since the last frame by the source's clock; one frame's worth where that stands still,
+// goes back, leaps or is not a number.
+double Tracker::Impl::advance(double seconds) {
+  double passed = frame_s ? seconds - *frame_s : kFrame;
+  if (!(passed > 0 && passed < 60)) passed = kFrame;
+  if (std::isfinite(seconds)) frame_s = seconds;
+  clock_s += passed;
+  return passed;
+}
+
+void Tracker::Impl::start(const SeenFrame& frame, const FrameSamples& samples,
+                          TrackedPose& tracked) {
+  if (!holds_all_motions(samples)) {
+    tracked.reason = "Too plain to follow: look where edges and corners are seen too.";
+    return;
+  }
+  is_lost = false;
+  motion.follow(Pose::Identity(), kFrame);
+  covariance.setZero();
+  tracked.covariance.setZero();  // the map frame is this camera's
+  tracked.quality = PoseQuality::kGood;
+  tracked.score = 1;
+  fuse(frame, tracked);
+}
+
+// Good, poor or lost by what the fit says of itself.
+void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) const {
+  tracked.score = fit.share;
+  tracked.weak_directions = fit.weak_directions;
+  if (fit.share_high < kMajority) {
+    tracked.quality = PoseQuality::kLost;
+    tracked.reason = "Lost: hold still and look where it was last seen.";
+    return;
+  }
+  tracked.quality = PoseQuality::kPoor;
+  if (!fit.weak_directions.empty()) {
+    tracked.reason =
+        "Unsure: it may be " + fit.weak_directions.front().text + "; look where more is seen.";
+  } else if (fit.share_low < kMajority) {
+    tracked.reason = "Unsure: much of what is seen is not where it was.";
+  } else if (kCoverage95 * largest_sigma(tracked.covariance, 0) > options.good_m ||
+             kCoverage95 * largest_sigma(tracked.covariance, 3) > options.good_rad) {
+    tracked.reason = "Unsure: move closer, or look where more is seen.";
+  } else {
+    tracked.quality = PoseQuality::kGood;
+  }
+}
+
+// The fit's pose and covariance, the motion since the last frame standing in where it holds
+// nothing.
+void Tracker::Impl::take_over(const MapFit& fit, double passed_s, TrackedPose& tracked) {
+  const Matrix6d prior = covariance + MotionPrediction::covariance(passed_s);
+  tracked.T_map_camera = fit.T_map_camera;
+  tracked.covariance = (fit.covariance.inverse() + prior.inverse()).inverse();
+  tracked.covariance = 0.5 * (tracked.covariance + tracked.covariance.transpose()).eval();
+}
+
+void Tracker::Impl::follow(const SeenFrame& frame, const FrameSamples& samples, double passed_s,
+                           TrackedPose& tracked) {
+  const MapViews from_last = MapViews::from(map, frame.camera, motion.last());
+  std::optional<Pose> guess;
+  double least = 0;
+  for (const Pose& each : motion.guesses(std::min(passed_s, options.most_gap_s))) {
+    const double cost = guess_cost(samples, from_last.fine, each);
+    if (guess && cost >= least) continue;
+    guess = each;
+    least = cost;
+  }
+  MapFit fit = fit_to_map(samples, from_last, *guess, true);
+  if (fit.share_low < kMajority) {
+    // A jerk, or a slow camera: look wider, from a view of where it seems to be.
+    const MapFit wide = fit_to_map(samples, from_last, *guess, false);
+    if (wide.share_low > fit.share_low) fit = wide;
+  }
+  take_over(fit, passed_s, tracked);
+  grade(fit, tracked);
+}
+
+void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,
+                           TrackedPose& tracked) {
+  // The last pose first: a lens that was covered is mostly where it was.
+  std::vector<Pose> guesses = views.likest(frame, kViewsToTry);
+  guesses.insert(guesses.begin(), motion.last());
+  std::optional<MapFit> best;
+  for (int i = 0; i < options.searches_per_frame; ++i) {
+    const Pose& guess = guesses[searches++ % guesses.size()];
+    const MapFit found =
+        fit_to_map(samples, MapViews::from(map, frame.camera, guess), guess, false);
+    if (best && found.share_low <= best->share_low) continue;
+    best = found;
+  }
+  // Once more in the view from there: what is seen from there and not from the guess may
+  // contradict.
+  const MapFit again = fit_to_map(samples, MapViews::from(map, frame.camera, best->T_map_camera),
+                                  best->T_map_camera, true);
+  if (again.share_low < kMajority || !again.weak_directions.empty()) {
+    tracked.reason = "Lost: hold still and look where it was last seen.";
+    return;
+  }
+  is_lost = false;
+  unconfirmed = options.confirmations;
+  tracked.found_again = true;
+  tracked.T_map_camera = again.T_map_camera;
+  tracked.covariance = again.covariance;
+  grade(again, tracked);
+}
+
+void Tracker::Impl::fuse(const SeenFrame& frame, TrackedPose& tracked) {
+  SeenFrame timed{frame.cloud, frame.camera, frame.noise, clock_s};
+  tracked.fused = map.fuse(timed, tracked.T_map_camera);
+  views.offer(frame, tracked.T_map_camera);
+}
+
+TrackedPose Tracker::track(const SeenFrame& frame) {
+  Impl& self = *impl_;
+  TrackedPose tracked;
+  StageClock clock(tracked.timing_s);
+  if (self.motion.is_known()) tracked.T_map_camera = self.motion.last();
+  const double passed_s = self.advance(frame.seconds);
+  if (!frame.is_usable()) {
+    tracked.reason = "The camera's picture cannot be used: check its calibration.";
+    self.is_lost = true;
+    return tracked;
+  }
+  const ReadingNoise noise(frame.noise, frame.camera);
+  const FrameSamples samples = sample_frame(frame, noise, self.options.samples);
+  if (samples.samples.size() < kFewest) {
+    tracked.reason = "Nothing is seen: uncover the lens, or step back.";
+    self.is_lost = true;
+    self.searches = 0;
+    self.motion.stop();
+    return tracked;
+  }
+  if (self.map.empty()) {
+    self.start(frame, samples, tracked);
+    clock.mark("fuse");
+    return tracked;
+  }
+  const bool was_lost = self.is_lost;
+  if (was_lost)
+    self.search(frame, samples, tracked);
+  else
+    self.follow(frame, samples, passed_s, tracked);
+  clock.mark("fit");
+  if (tracked.quality == PoseQuality::kLost) {
+    if (!was_lost) self.searches = 0;
+    self.is_lost = true;
+    self.motion.stop();
+    if (self.motion.is_known()) tracked.T_map_camera = self.motion.last();
+    return tracked;
+  }
+  if (was_lost) self.motion.clear();
+  self.motion.follow(tracked.T_map_camera, passed_s);
+  self.covariance = tracked.covariance;
+  if (self.unconfirmed > 0 && tracked.quality == PoseQuality::kGood) {
+    tracked.quality = PoseQuality::kPoor;
+    tracked.reason = "Found again: hold still for a moment.";
+    --self.unconfirmed;
+  } else if (tracked.quality == PoseQuality::kGood) {
+    self.fuse(frame, tracked);
+  }
+  clock.mark("fuse");
+  return tracked;
+}
+
+}  // namespace spool
