@@ -87,10 +87,10 @@ void print_frames(const TrackRun& run) {
   for (const TrackedFrame& frame : run.frames)
     std::printf(
         "  %7.3f s %-4s off %7.2f mm %6.3f deg, sigma %6.2f mm %6.3f deg, score %.2f, "
-        "fit %5.1f ms, fuse %5.1f ms, %zu cells\n",
+        "fit %5.1f ms, fuse %5.1f ms, %zu cells; %s\n",
         frame.seconds, std::string(name(frame.quality)).c_str(), 1000 * frame.off_m,
         frame.off_rad / kDegree, 1000 * frame.sigma_m, frame.sigma_rad / kDegree, frame.score,
-        frame.fit_ms, frame.fuse_ms, frame.cells);
+        frame.fit_ms, frame.fuse_ms, frame.cells, frame.reason.c_str());
 }
 
 Result<int> campaign(const Wanted& wanted) {

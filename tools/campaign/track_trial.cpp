@@ -90,6 +90,7 @@ TrackRun run_track(const TrackRow& row, std::uint32_t seed, int most_frames) {
       T_first_scan = T_scan_camera.inverse();
     result.quality = tracked.quality;
     result.score = tracked.score;
+    result.reason = tracked.reason;
     result.sigma_m = largest_sigma(tracked.covariance.topLeftCorner<3, 3>());
     result.sigma_rad = largest_sigma(tracked.covariance.bottomRightCorner<3, 3>());
     if (T_first_scan) {

@@ -35,6 +35,7 @@ struct TrackedFrame {
          off_rad = 0;  // of the camera's pose in the scene, the first frame's being right
   double sigma_m = 0, sigma_rad = 0;  // stated, one axis
   double score = 0;
+  std::string reason = "";  // why it is not good
   bool is_covered = false;
   double fit_ms = 0, fuse_ms = 0, prepare_ms = 0;
   std::size_t cells = 0;

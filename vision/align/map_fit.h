@@ -31,8 +31,9 @@ struct MapFit {
   std::vector<WeakDirection> weak_directions = {};
   std::size_t agrees = 0, contradicts = 0, in_front = 0;  // samples
   // Of the samples that would see a motion of the camera, the share that agrees with its place, of
-  // the motion where that is least; and what it is at least, by chance of so many samples.
+  // the held motion where that is least; and what it may be, by chance of so many samples.
   double share = 0, share_low = 0, share_high = 0;
+  Drift drift = {};   // of the map that it was fitted to, not in the covariance
   double spread = 0;  // RMS of the agreeing residuals over their standard deviations; about 1
 };
 
@@ -41,9 +42,6 @@ struct MapFit {
 // 10 cm or 10 degrees round the guess. `views` must be from about the guess.
 [[nodiscard]] MapFit fit_to_map(const FrameSamples& frame, const MapViews& views,
                                 const Pose& T_map_guess, bool is_near);
-
-// What `T_map_camera` is worth without moving it: as in a fit.
-void judge_fit(const FrameSamples& frame, const MapView& view, MapFit& fit);
 
 // Mean of the samples' squared normalised residuals, cut at 9 and 9 where none is near: which of
 // two guesses is the better one. A coarse look at a tenth of the samples.

@@ -16,6 +16,8 @@ constexpr std::size_t kGrain = 512;
 constexpr float kAlike = 0.6F;    // cosine: noisy normals of one surface differ by less
 constexpr float kTukey = 4.685F;  // 95 % efficiency for Gaussian noise
 constexpr float kSigmas = 3.0F;
+constexpr int kVouchWindow = 2;  // px of the view
+constexpr unsigned kAllQuadrants = 0b1111;
 constexpr float kBeside = 1.5F;  // cell sizes: as far from a cell's middle its plane may be used
 
 // The camera as the view's camera sees it, and the view's lens.
@@ -43,6 +45,7 @@ struct Into {
 struct Found {
   const MapFacet* facet = nullptr;     // nearest that looks the same way, within reach
   const MapFacet* expected = nullptr;  // nearest of all in the window
+  unsigned quadrants = 0;              // of the window in which there is a facet
   Eigen::Vector3f point, normal;       // the sample, view frame
 };
 
@@ -62,6 +65,7 @@ Found find_facet(const FrameSample& sample, const MapView& view, const Into& int
     for (int x = std::max(0, u - window); x <= std::min(into.width - 1, u + window); ++x) {
       const MapFacet& facet = view.at(x, y);
       if (facet.size <= 0) continue;
+      found.quadrants |= 1U << ((x > u ? 1 : 0) + (y > v ? 2 : 0));
       const float distance = (facet.point - found.point).squaredNorm();
       if (distance < nearest_any) {
         nearest_any = distance;
@@ -115,11 +119,12 @@ Vouching vouch_for(const FrameSamples& frame, const MapView& view, const Pose& T
   Vouching all;
   all.matches.resize(frame.samples.size());
   all.says.assign(frame.samples.size(), Vouch::kUnknown);
+  std::vector<Drift> drifts(frame.samples.size());
   parallel_chunks(all.matches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const FrameSample& sample = frame.samples[i];
       const float noise = kSigmas * std::sqrt(sample.variance);
-      const Found found = find_facet(sample, view, into, 1, noise);
+      const Found found = find_facet(sample, view, into, kVouchWindow, noise);
       if (found.facet != nullptr) {
         all.matches[i] = paired(found, *found.facet, into);
         const float variance = sample.variance + found.facet->variance;
@@ -127,12 +132,15 @@ Vouching vouch_for(const FrameSamples& frame, const MapView& view, const Pose& T
         all.matches[i].weight = 1;
         if (off * off < kSigmas * kSigmas * variance) {
           all.says[i] = Vouch::kAgrees;
+          drifts[i] = found.facet->drift;
           continue;
         }
         all.says[i] = off > 0 ? Vouch::kInFront : Vouch::kContradicts;
         continue;
       }
-      if (found.expected == nullptr) continue;
+      // Beside the rim of something nearer, what is seen for the first time contradicts nothing:
+      // the map has to know a surface all round the place.
+      if (found.quadrants != kAllQuadrants) continue;
       // Near a surface that looks another way: an edge, which says nothing.
       const float far = noise + kBeside * found.expected->size;
       if ((found.expected->point - found.point).squaredNorm() < far * far) continue;
@@ -145,10 +153,17 @@ Vouching vouch_for(const FrameSamples& frame, const MapView& view, const Pose& T
           found.point.z() < found.expected->point.z() ? Vouch::kInFront : Vouch::kContradicts;
     }
   });
+  double place = 0, turn = 0;
   for (std::size_t i = 0; i < all.says.size(); ++i) {
+    place += double{drifts[i].place};
+    turn += double{drifts[i].turn};
     all.agrees += all.says[i] == Vouch::kAgrees ? 1U : 0U;
     all.contradicts += all.says[i] == Vouch::kContradicts ? 1U : 0U;
     all.in_front += all.says[i] == Vouch::kInFront ? 1U : 0U;
+  }
+  if (all.agrees > 0) {
+    const auto count = static_cast<double>(all.agrees);
+    all.drift = {static_cast<float>(place / count), static_cast<float>(turn / count)};
   }
   return all;
 }

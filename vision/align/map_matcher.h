@@ -43,7 +43,7 @@ enum class Vouch : std::uint8_t {
 struct Vouching {
   std::vector<Correspondence> matches = {};
   std::vector<Vouch> says = {};
-  double squared = 0;  // sum of squared normalised residuals of those that agree
+  Drift drift = {};  // mean of the facets that are agreed with
   std::size_t agrees = 0, contradicts = 0, in_front = 0;
 };
 [[nodiscard]] Vouching vouch_for(const FrameSamples& frame, const MapView& view,

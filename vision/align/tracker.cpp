@@ -33,15 +33,26 @@ double largest_sigma(const Matrix6d& covariance, int first) {
                         .eigenvalues()[2]));
 }
 
-// Whether a first frame's own surface holds all motions: a map of a bare wall carries no pose.
-bool holds_all_motions(const FrameSamples& frame) {
+// Covariance of a pose that hangs on a first frame's own surface; nothing where that does not hold
+// all motions: a map of a bare wall carries no pose.
+std::optional<Matrix6d> own_covariance(const FrameSamples& frame) {
   std::vector<Correspondence> self;
   self.reserve(frame.samples.size());
   for (const FrameSample& sample : frame.samples)
     self.push_back(
         {sample.point, sample.normal, 0.0F, static_cast<float>(frame.variance) / sample.variance});
-  const HeldMotions motions = held_motions(build_normal_equations(self), self);
-  return std::none_of(motions.weak.begin(), motions.weak.end(), [](bool weak) { return weak; });
+  const NormalEquations equations = build_normal_equations(self);
+  const HeldMotions motions = held_motions(equations, self);
+  if (std::any_of(motions.weak.begin(), motions.weak.end(), [](bool weak) { return weak; }))
+    return std::nullopt;
+  return motion_covariance(equations, motions, frame.variance * frame.correlated);
+}
+
+// A new piece of the map is off by what the map was off by where the frame was fitted to it, and by
+// what the frame was off by itself. Variances along one axis.
+Drift added(const Drift& drift, const Matrix6d& covariance) {
+  return {drift.place + static_cast<float>(covariance.topLeftCorner<3, 3>().trace() / 3),
+          drift.turn + static_cast<float>(covariance.bottomRightCorner<3, 3>().trace() / 3)};
 }
 
 }  // namespace
@@ -76,6 +87,8 @@ struct Tracker::Impl {
   double clock_s = 0;                      // our own: never goes back
   std::optional<double> frame_s;           // the source's, of the last frame
   bool is_lost = true;
+  Drift map_drift = {};      // of the map where the frame now tracked was fitted to it
+  bool may_fuse = false;     // the frame now tracked
   int unconfirmed = 0;       // frames that a pose found anew still has to be borne out by
   std::size_t searches = 0;  // since it was lost
 
@@ -87,8 +100,9 @@ struct Tracker::Impl {
               TrackedPose& tracked);
   void search(const SeenFrame& frame, const FrameSamples& samples, TrackedPose& tracked);
   void take_over(const MapFit& fit, double passed_s, TrackedPose& tracked);
-  void grade(const MapFit& fit, TrackedPose& tracked) const;
-  void fuse(const SeenFrame& frame, TrackedPose& tracked);
+  void grade(const MapFit& fit, TrackedPose& tracked);
+  void state_drift(TrackedPose& tracked) const;
+  void fuse(const SeenFrame& frame, const Drift& drift, TrackedPose& tracked);
 };
 
 Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {
@@ -114,7 +128,8 @@ double Tracker::Impl::advance(double seconds) {
 
 void Tracker::Impl::start(const SeenFrame& frame, const FrameSamples& samples,
                           TrackedPose& tracked) {
-  if (!holds_all_motions(samples)) {
+  const auto own = own_covariance(samples);
+  if (!own) {
     tracked.reason = "Too plain to follow: look where edges and corners are seen too.";
     return;
   }
@@ -124,11 +139,13 @@ void Tracker::Impl::start(const SeenFrame& frame, const FrameSamples& samples,
   tracked.covariance.setZero();  // the map frame is this camera's
   tracked.quality = PoseQuality::kGood;
   tracked.score = 1;
-  fuse(frame, tracked);
+  fuse(frame, added({}, *own), tracked);
 }
 
 // Good, poor or lost by what the fit says of itself.
-void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) const {
+void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) {
+  may_fuse = false;
+  map_drift = fit.drift;
   tracked.score = fit.share;
   tracked.weak_directions = fit.weak_directions;
   if (fit.share_high < kMajority) {
@@ -140,14 +157,20 @@ void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) const {
   if (!fit.weak_directions.empty()) {
     tracked.reason =
         "Unsure: it may be " + fit.weak_directions.front().text + "; look where more is seen.";
-  } else if (fit.share_low < kMajority) {
-    tracked.reason = "Unsure: much of what is seen is not where it was.";
   } else if (kCoverage95 * largest_sigma(tracked.covariance, 0) > options.good_m ||
              kCoverage95 * largest_sigma(tracked.covariance, 3) > options.good_rad) {
     tracked.reason = "Unsure: move closer, or look where more is seen.";
+  } else if (fit.share_low < kMajority) {
+    tracked.reason = "Unsure: much of what is seen is not where it was.";
   } else {
     tracked.quality = PoseQuality::kGood;
   }
+  // Where the pose is held and likelier right than not, what is new has to get into the map, or a
+  // camera that moves on leaves behind all that it knows.
+  may_fuse = tracked.quality == PoseQuality::kGood ||
+             (fit.weak_directions.empty() && fit.share >= kMajority &&
+              kCoverage95 * largest_sigma(tracked.covariance, 0) <= options.good_m &&
+              kCoverage95 * largest_sigma(tracked.covariance, 3) <= options.good_rad);
 }
 
 // The fit's pose and covariance, the motion since the last frame standing in where it holds
@@ -193,6 +216,10 @@ void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,
     if (best && found.share_low <= best->share_low) continue;
     best = found;
   }
+  if (best->share_high < kMajority) {
+    tracked.reason = "Lost: hold still and look where it was last seen.";
+    return;
+  }
   // Once more in the view from there: what is seen from there and not from the guess may
   // contradict.
   const MapFit again = fit_to_map(samples, MapViews::from(map, frame.camera, best->T_map_camera),
@@ -209,9 +236,15 @@ void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,
   grade(again, tracked);
 }
 
-void Tracker::Impl::fuse(const SeenFrame& frame, TrackedPose& tracked) {
+// Adds what the map itself is off by to the covariance that is given out.
+void Tracker::Impl::state_drift(TrackedPose& tracked) const {
+  tracked.covariance.topLeftCorner<3, 3>().diagonal().array() += double{map_drift.place};
+  tracked.covariance.bottomRightCorner<3, 3>().diagonal().array() += double{map_drift.turn};
+}
+
+void Tracker::Impl::fuse(const SeenFrame& frame, const Drift& drift, TrackedPose& tracked) {
   SeenFrame timed{frame.cloud, frame.camera, frame.noise, clock_s};
-  tracked.fused = map.fuse(timed, tracked.T_map_camera);
+  tracked.fused = map.fuse(timed, tracked.T_map_camera, drift);
   views.offer(frame, tracked.T_map_camera);
 }
 
@@ -260,9 +293,10 @@ TrackedPose Tracker::track(const SeenFrame& frame) {
     tracked.quality = PoseQuality::kPoor;
     tracked.reason = "Found again: hold still for a moment.";
     --self.unconfirmed;
-  } else if (tracked.quality == PoseQuality::kGood) {
-    self.fuse(frame, tracked);
+  } else if (self.unconfirmed == 0 && self.may_fuse) {
+    self.fuse(frame, added(self.map_drift, tracked.covariance), tracked);
   }
+  if (tracked.quality != PoseQuality::kLost) self.state_drift(tracked);
   clock.mark("fuse");
   return tracked;
 }

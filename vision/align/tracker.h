@@ -24,7 +24,7 @@ struct TrackerOptions {
   double good_m = 0.003;       // m; a pose marked good is within this …
   double good_rad = 0.00524;   // rad; … and this (0.3 degrees), at 95 %
   int confirmations = 3;       // frames that must bear out a pose that was found anew
-  int searches_per_frame = 3;  // views tried for each frame while lost
+  int searches_per_frame = 2;  // views tried for each frame while lost
   double most_gap_s = 0.5;     // s between frames that a hand's motion is still followed over
 };
 

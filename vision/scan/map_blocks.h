@@ -13,6 +13,13 @@
 
 namespace spool {
 
+// How far off the camera was, as a whole, when a piece of the map was made: what later frames
+// cannot see from that piece. Variances along one axis.
+struct Drift {
+  float place = 0;  // m^2
+  float turn = 0;   // rad^2
+};
+
 // A piece of surface as large as its voxel: what all frames that saw it say of it.
 struct MapCell {
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();        // m, map frame
@@ -23,6 +30,7 @@ struct MapCell {
   float weight = 0;   // 1/m^2: one over the variance of the mean along the normal
   float bias = 0;     // recent residuals' mean, in standard deviations
   float against = 0;  // frames that looked through it, forgotten by halves where it is seen again
+  Drift drift = {};   // of the frame that made it
   double seen_s = 0;  // when it was last seen
   std::int16_t next = -1;  // in the same voxel: the other side of a thin wall
 

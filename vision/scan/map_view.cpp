@@ -100,7 +100,7 @@ MapView::MapView(const ScanMap& map, const Camera& camera, const Pose& T_map_vie
     const std::uint64_t place = key & ((std::uint64_t{1} << 46) - 1);
     const MapCell& cell =
         blocks[place >> kCellBits].cells[place & ((std::uint64_t{1} << kCellBits) - 1)];
-    facets_[i] = {R * (cell.mean - eye), R * cell.normal, cell.variance(), cell.size};
+    facets_[i] = {R * (cell.mean - eye), R * cell.normal, cell.variance(), cell.size, cell.drift};
     ++facet_count_;
   }
 }

@@ -20,6 +20,7 @@ struct MapFacet {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit
   float variance = 0;                                // m^2, of the cell's mean along the normal
   float size = 0;                                    // m, its voxel; 0: no facet at this pixel
+  Drift drift = {};                                  // of the frame that made the cell
 };
 
 // The settled cells that look at the camera, the nearest of each pixel; of those as near within

@@ -105,7 +105,7 @@ ScanMap::ScanMap(const ScanMapOptions& options)
   assert(!validate(options) && "options that make sense");
 }
 
-FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera) {
+FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, const Drift& drift) {
   assert(frame.is_usable() && "an organised cloud with normals and its camera");
   FuseReport report;
   ++frames_;
@@ -201,6 +201,7 @@ FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera) {
       cell.weight = 1.0F / variance;
       cell.covariance = variance * cell.normal * cell.normal.transpose();
       cell.count = 1;
+      cell.drift = drift;
       cell.seen_s = frame.seconds;
       report.added += blocks_.add(cell, levels.at(point.z())) ? 1U : 0U;
     }

@@ -46,8 +46,9 @@ class ScanMap {
  public:
   explicit ScanMap(const ScanMapOptions& options = {});
 
-  // Takes in a frame whose pose is known. `frame` must be usable; its seconds must not go back.
-  FuseReport fuse(const SeenFrame& frame, const Pose& T_map_camera);
+  // Takes in a frame whose pose is known up to `drift`, which the cells that it starts remember.
+  // `frame` must be usable; its seconds must not go back.
+  FuseReport fuse(const SeenFrame& frame, const Pose& T_map_camera, const Drift& drift = {});
 
   [[nodiscard]] bool empty() const { return blocks_.cell_count() == 0; }
   [[nodiscard]] std::size_t size() const { return blocks_.cell_count(); }
