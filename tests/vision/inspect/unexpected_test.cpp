@@ -67,7 +67,8 @@ TEST_P(BranchTooMany, IsFoundOnItsPart) {
 
 INSTANTIATE_TEST_SUITE_P(Directions, BranchTooMany,
                          testing::Values(Rod{{-0.03, 0, 0.6}, -Vector3d::UnitX(), 0.02, 0.25},
-                                         Rod{{0.03, 0, 0.5}, Vector3d::UnitX(), 0.02, 0.12}));
+                                         Rod{{0.03, 0, 0.5}, Vector3d::UnitX(), 0.02, 0.12}),
+                         [](const auto& row) { return row.index == 0 ? "back" : "ahead"; });
 
 TEST(Unexpected, IsNotWhatHoldsTheSpoolUp) {
   // A jack under the arm, from the floor; and one of which the scanner saw the upper half.
