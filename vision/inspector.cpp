@@ -150,7 +150,8 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     const std::vector<PointClass>& classes = inspection.declutter.classes;
     parts = summarise_parts(design, inspection.scan_design, classes, inspection.deviations,
                             design_->samples, watch);
-    missing = missing_parts(design, inspection.scan_design, classes, design_->samples, parts,
+    missing = missing_parts(design, {inspection.scan_design, classes, inspection.deviations},
+                            design_->samples, parts,
                             in_sight(options, scan, design, inspection.alignment, noise_m), watch);
   }
   if (watch.cancelled()) {  // half an inspection says nothing

@@ -24,7 +24,8 @@ struct ChainOptions {
 struct ChainScan {
   std::span<const Eigen::Vector3f> explained;    // points on the design…
   std::span<const std::int32_t> explained_part;  // …and the part each lies on; -1: on a moved piece
-  std::span<const Eigen::Vector3f> left;         // what is neither that nor floor nor wall
+  std::span<const std::uint8_t> is_well;  // …within the gate, not only near it; empty: all of them
+  std::span<const Eigen::Vector3f> left;  // what is neither that nor floor nor wall
 };
 
 }  // namespace spool

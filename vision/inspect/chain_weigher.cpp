@@ -156,14 +156,16 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
     }
   }
   // What stays on it although it moves, as a pipe does that slides along itself; what lies on it
-  // and was taken for another part; what would lie on nothing any more.
+  // and was taken for another part; what would lie on nothing any more. What lay only near the
+  // design and lies on the piece is won, and costs nothing where it does not.
   for (std::uint32_t i = 0; i < scan.explained.size(); ++i) {
     const bool was_on = branch.holds(scan.explained_part[i]);
+    const bool was_well = scan.is_well.empty() || scan.is_well[i] != 0;
     const Eigen::Vector3f p = T_piece_scan * scan.explained[i];
     if (surface.is_on(p)) {
       weighed.explained.push_back(i);
-      if (was_on) stays.push_back(p);
-    } else if (was_on && !(excess && excess->holds(scan.explained[i]))) {
+      if (was_on) (was_well ? stays : on).push_back(p);
+    } else if (was_on && was_well && !(excess && excess->holds(scan.explained[i]))) {
       lost.push_back(scan.explained[i]);
     }
   }

@@ -59,9 +59,8 @@ class Growth {
  private:
   [[nodiscard]] bool touches_plane(const Eigen::Vector3f& p) const {
     const float band = step_m_ + static_cast<float>(3 * scan_.noise_m);
-    return std::any_of(scan_.planes.begin(), scan_.planes.end(), [&](const DominantPlane& plane) {
-      return std::abs(plane.distance(p)) < band;
-    });
+    return std::any_of(scan_.planes.begin(), scan_.planes.end(),
+                       [&](const DominantPlane& plane) { return plane.holds(p, band); });
   }
 
   const UnexpectedScan& scan_;
@@ -77,6 +76,7 @@ bool is_a_stand(const Eigen::Vector3f& first, const Eigen::Vector3f& farthest, d
   const Eigen::Vector3f along = (farthest - first).normalized();
   return std::any_of(planes.begin(), planes.end(), [&](const DominantPlane& plane) {
     const float distance = plane.distance(farthest);
+    if (!plane.patch.is_near(farthest - distance * plane.normal)) return false;  // past its edge
     const bool points_at_it = -along.dot(plane.normal) * std::copysign(1.0F, distance) > kStraight;
     return double{std::abs(distance)} < (points_at_it ? kStraightWay : kOfTheWay) * reach_m;
   });
