@@ -98,6 +98,15 @@ TEST(Unexpected, NeedsNoFloor) {
             1U);
 }
 
+TEST(Unexpected, IsNotWhatStandsOnAFloorThatWasCutOff) {
+  const Rod jack{{0.3, 0, -0.2}, Vector3d::UnitZ(), 0.025, 0.965};
+  EXPECT_EQ(unexpected_with({jack}, kNoFloor).size(), 1U) << "nothing else ends there";
+  std::vector<Rod> more{jack};
+  for (int i = 0; i < 8; ++i)
+    more.push_back({{-1 + 0.6 * (i % 4), i < 4 ? -0.9 : 0.9, -0.2}, Vector3d::UnitZ(), 0.08, 0.5});
+  EXPECT_TRUE(unexpected_with(more, kNoFloor).empty());
+}
+
 TEST(Unexpected, IsNotHeldWhereTheFloorHasEnded) {
   // Nearly as low as the floor, half a metre beyond its edge.
   const Rod branch{{0.6, 0, 0.95}, Vector3d(0.6, 0, -1.1).normalized(), 0.02, 1.26};
