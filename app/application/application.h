@@ -152,9 +152,8 @@ class Application {
   bool aligned_ = false;
   std::uint64_t alignments_asked_ = 0;
   bool awaiting_alignment_ = false;
-  AlignMethod asked_by_ = AlignMethod::kThreePoint;
+  AlignMethod asked_by_ = AlignMethod::kThreePoint;    // the pose that is awaited
   AlignMethod aligned_by_ = AlignMethod::kThreePoint;  // the pose that is believed
-  bool found_by_search_ = false;  // the pose of the alignment that is awaited
   bool unplugged_ = false, ended_ = false;
   std::optional<Error> failure_;
   int view_mode_ = 0;  // both, scan, design

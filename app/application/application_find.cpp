@@ -62,7 +62,6 @@ void Application::accept_choice() {
 
 // As three picks do.
 void Application::align_as_found(const VisionState& found) {
-  found_by_search_ = true;
   ask_for_alignment(found.T_design_camera, AlignMethod::kFind);
 }
 
