@@ -46,8 +46,8 @@ Result<Camera> read_camera(const std::filesystem::path& path) {
   positive("fx", camera.fx);
   positive("fy", camera.fy);
   positive("depth_unit_m", camera.depth_unit_m);
-  // Between half a degree and 179 from side to side.
-  const auto sees = [](double f, int side) { return f > 0.004 * side && f < 115.0 * side; };
+  // Between a twentieth of a degree and 179 from side to side.
+  const auto sees = [](double f, int side) { return f > 0.004 * side && f < 1150.0 * side; };
   if (!object.error() &&
       !(camera.is_valid() && sees(camera.fx, camera.width) && sees(camera.fy, camera.height)))
     object.fail("", "holds intrinsics no camera has");

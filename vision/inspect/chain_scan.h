@@ -12,8 +12,9 @@
 namespace spool {
 
 struct ChainOptions {
-  double noise_m = 0.003;  // m; standard deviation of a point
-  double size_m = 1;       // m; the design's diagonal
+  double noise_m = 0.003;       // m; standard deviation of a point
+  double size_m = 1;            // m; the design's diagonal
+  double least_move_m = 0.020;  // m; of less it is for features to tell
   std::size_t most_pieces = 4;
 
   // So near (m) a point lies on a surface.

@@ -43,7 +43,9 @@ struct ChainInput {
 };
 
 ChainOptions chain_options(const ExplainedDesign& design, const ExplainedScan& scan) {
-  return {.noise_m = scan.noise_m, .size_m = design.model.bounds().diagonal().norm()};
+  return {.noise_m = scan.noise_m,
+          .size_m = design.model.bounds().diagonal().norm(),
+          .least_move_m = double{deviation_bound(scan.noise_m)}};
 }
 
 // Left: the unexplained points off floor and walls that a moved piece could meet, within the
