@@ -217,6 +217,7 @@ int main(int argc, char** argv) {
                  "m, mm or in, where the design's file does not say");
   app.add_option("--out", flags.out, "Folder for pictures and evidence")->capture_default_str();
   app.add_option("--dpi", flags.dots_per_inch, "Dots an inch of the screen, where it does not say")
+      ->check(spool::positive_number())
       ->check(CLI::Range(40.0, 1200.0));
   app.add_option("--size", flags.size, "Window or picture, WIDTHxHEIGHT in px")
       ->capture_default_str();

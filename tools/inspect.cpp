@@ -56,10 +56,12 @@ Result<std::vector<evidence::OverlayPicture>> pictures_of(evidence::InspectionRe
 }
 
 void print_summary(const evidence::InspectionRecord& record, bool has_pictures,
-                   const std::string& out) {
+                   const InspectOptions& options) {
   const auto& inspection = record.inspection;
   const auto style = record.feet_inches ? LengthStyle::kFeetInch : LengthStyle::kMillimetre;
   std::cout << name(inspection.status) << ": " << inspection.status_reason << "\n";
+  for (const auto& finding : inspection.findings) std::cout << "  found: " << finding.text << "\n";
+  for (const auto& warning : record.warnings) std::cout << "warning: " << warning << "\n";
   for (const auto& finding : inspection.parts) {
     const auto& part = record.design->model.parts.at(static_cast<std::size_t>(finding.part));
     std::cout << "  " << part.name << ": " << name(finding.status) << ", "
@@ -70,11 +72,14 @@ void print_summary(const evidence::InspectionRecord& record, bool has_pictures,
     std::cout << "\n";
   }
   const auto& alignment = inspection.alignment;
-  if (alignment.found)
+  if (alignment.found && alignment.overlap > 0)
     std::cout << "alignment: " << name(alignment.method) << ", "
               << length_text(alignment.rms_m, style) << " RMS, " << percent_text(alignment.overlap)
               << " of the points on the design\n";
-  std::cout << "written to " << out << ": report.html report.json points.ply"
+  else if (alignment.found)
+    std::cout << "alignment: " << name(alignment.method)
+              << ", no point of the scan lies on the design there\n";
+  std::cout << "written to " << options.out << ": report.html report.json points.ply"
             << (has_pictures ? " overlay_*.png\n" : "\n");
 }
 
@@ -130,7 +135,7 @@ Result<int> inspect(const InspectOptions& options) {
   progress.report("writing", 0);
   if (auto status = evidence::write_inspection(options.out, record, *pictures); !status)
     return status.error();
-  print_summary(record, !pictures->empty(), options.out);
+  print_summary(record, !pictures->empty(), options);
   return exit_code_of(record.inspection);
 }
 

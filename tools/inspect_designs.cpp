@@ -6,11 +6,17 @@
 #include <chrono>
 #include <optional>
 
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
 #include "vision/design/design_reader.h"
 
 namespace spool::tools {
 namespace {
 
+// A scan of less than this share of the design's size cannot be of it, and one of so many times its
+// size is no shop: metres and millimetres were taken for each other.
+constexpr double kLeastOfDesign = 0.1, kMostOfDesign = 200;
 // Another design that explains this share of the best's points may be the one.
 constexpr double kNearly = 0.9;
 
@@ -25,6 +31,21 @@ std::vector<int> parts_named(const std::vector<std::string>& names, const Design
     for (std::size_t p = 0; p < model.parts.size(); ++p)
       if (model.parts[p].name == name) parts.push_back(static_cast<int>(p));
   return parts;
+}
+
+// Of a design that was not found: where the sizes are a unit apart, that is the likely reason.
+void hint_at_units(const PointCloud& scan, InspectedDesign& one) {
+  if (one.inspection.alignment.found) return;
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& point : scan.points)
+    if (point.allFinite()) box.extend(point);
+  if (box.isEmpty()) return;
+  const auto scan_m = static_cast<double>(box.diagonal().norm());
+  const double design_m = one.design->model.bounds().diagonal().norm();
+  if (scan_m > kLeastOfDesign * design_m && scan_m < kMostOfDesign * design_m) return;
+  one.warnings.push_back(fmt::format(
+      "The scan is {:.3g} m across and the design {:.3g} m; check --scan-unit and --design-unit.",
+      scan_m, design_m));
 }
 
 Result<InspectedDesign> inspect_one(const std::string& path, const InspectOptions& options,
@@ -49,6 +70,7 @@ Result<InspectedDesign> inspect_one(const std::string& path, const InspectOption
   auto inspection = Inspector(one.design).process(scan, noise, settings, watch);
   if (!inspection) return inspection.error();
   one.inspection = std::move(*inspection);
+  hint_at_units(scan, one);
   return one;
 }
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "app/common/cli.h"
 #include "app/common/json_file.h"
 
 namespace spool::tools {
@@ -46,7 +47,7 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
       ->type_name("PATH");
   app.add_option("--frame", options.frame,
                  "Frame of a recording to use, counted from 0; the first if not given")
-      ->check(CLI::NonNegativeNumber)
+      ->check(non_negative_number())
       ->type_name("N");
   app.add_option("--align", options.align,
                  "find, three-point, pose or principal-axes; by default pose if --pose is given, "

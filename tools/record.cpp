@@ -59,13 +59,13 @@ int main(int argc, char** argv) {
   app.add_option("--out", arguments.out, "FILE.oni, or a new folder for a depth folder")
       ->required();
   app.add_option("--frames", arguments.limits.frames, "End after so many frames")
-      ->check(CLI::PositiveNumber);
+      ->check(spool::positive_number());
   app.add_option("--seconds", arguments.limits.seconds, "End after so many seconds")
-      ->check(CLI::PositiveNumber);
+      ->check(spool::positive_number());
   app.add_option("--first-frame", arguments.first_frame, "Of a recording: skip the frames before")
-      ->check(CLI::NonNegativeNumber);
+      ->check(spool::non_negative_number());
   app.add_option("--speed", arguments.speed,
                  "Of a recording: 1 is real time, 2 twice as fast, 0 as fast as it is read")
-      ->check(CLI::NonNegativeNumber);
+      ->check(spool::non_negative_number());
   return spool::run_program(app, argc, argv, [&] { return spool::record(arguments); });
 }

@@ -98,7 +98,8 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
 
   // Where the picks, the pose or nothing put the scan.
   const AlignRequest request{options.align,         options.pairs, options.T_design_scan,
-                             design_->finder.get(), options.seed,  options.single_frame};
+                             design_->finder.get(), options.seed,  options.single_frame,
+                             options.posed_by};
   Placement placement = place_scan(request, design, scan, typical_noise_m(scan, noise), watch);
   const double noise_m = placement.noise_m;
   const ExplainedDesign prepared{design, *design_->surface, design_->samples};
@@ -150,7 +151,8 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     const std::vector<PointClass>& classes = inspection.declutter.classes;
     parts = summarise_parts(design, inspection.scan_design, classes, inspection.deviations,
                             design_->samples, watch);
-    missing = missing_parts(design, inspection.scan_design, classes, design_->samples, parts,
+    missing = missing_parts(design, {inspection.scan_design, classes, inspection.deviations},
+                            design_->samples, parts,
                             in_sight(options, scan, design, inspection.alignment, noise_m), watch);
   }
   if (watch.cancelled()) {  // half an inspection says nothing

@@ -23,6 +23,9 @@ struct InspectorOptions {
   AlignMethod align = AlignMethod::kPrincipalAxes;
   std::vector<PointPair> pairs;       // for kThreePoint, files' own coordinates (m)
   std::optional<Pose> T_design_scan;  // for kPose, files' own coordinates; taken as given
+  // The given pose was come by in this way and refined on this scan: the report names it, and how
+  // well the scan holds the pose.
+  std::optional<AlignMethod> posed_by;
   DeclutterOptions declutter;
   bool units_confirmed = true;  // false: a unit was inferred, nothing may be ok
   // The scan is one frame of a sequence, in the frame of its camera, which looks along +z. Said in

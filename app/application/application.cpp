@@ -108,10 +108,9 @@ std::optional<double> Application::advance() {
     aligned_ = state_->quality != TrackQuality::kUnaligned;
     if (aligned_) {
       leave_align();
-    } else if (found_by_search_) {
+    } else if (asked_by_ == AlignMethod::kFind) {
       refuse_found();
     }
-    found_by_search_ = false;
   }
   if (state_->is_tracked()) last_tracked_ = state_;
   return std::max(0.0, state_->frame->seconds - before);

@@ -102,7 +102,7 @@ class Application {
   void pick(const ui::Gesture& gesture, double slop_px);
   void start_align();
   void finish_align();
-  void ask_for_alignment(const Pose& T_design_camera);
+  void ask_for_alignment(const Pose& T_design_camera, AlignMethod method);
   void leave_align();
   [[nodiscard]] std::vector<double> landmark_evidence(std::span<const PointPair> pairs) const;
   void hold_picture();
@@ -152,7 +152,8 @@ class Application {
   bool aligned_ = false;
   std::uint64_t alignments_asked_ = 0;
   bool awaiting_alignment_ = false;
-  bool found_by_search_ = false;  // the pose of the alignment that is awaited
+  AlignMethod asked_by_ = AlignMethod::kThreePoint;    // the pose that is awaited
+  AlignMethod aligned_by_ = AlignMethod::kThreePoint;  // the pose that is believed
   bool unplugged_ = false, ended_ = false;
   std::optional<Error> failure_;
   int view_mode_ = 0;  // both, scan, design

@@ -207,17 +207,19 @@ void Application::release_picture() {
 
 void Application::finish_align() {
   if (picks_.result().status != PairsStatus::kOk || !held_ || awaiting_alignment_) return;
-  ask_for_alignment(picks_.result().T_design_scan);
+  ask_for_alignment(picks_.result().T_design_scan, AlignMethod::kThreePoint);
 }
 
-void Application::ask_for_alignment(const Pose& T_design_camera) {
+void Application::ask_for_alignment(const Pose& T_design_camera, AlignMethod method) {
   awaiting_alignment_ = true;
+  asked_by_ = method;
   ++alignments_asked_;
   feed_->command({VisionCommand::Kind::kAlign, held_, T_design_camera});
 }
 
 // The pose was believed: on with the work.
 void Application::leave_align() {
+  aligned_by_ = asked_by_;
   screen_ = ui::Screen::kWork;
   picks_.clear();
   held_.reset();
@@ -233,6 +235,7 @@ void Application::start_check(bool final) {
   options.align = AlignMethod::kPose;
   options.units_confirmed = !in_.design->model.unit_inferred;
   options.single_frame = true;
+  options.posed_by = aligned_by_;
   Pose T = state->T_design_camera;  // into the design file's own coordinates
   T.translation() += in_.design->model.origin;
   options.T_design_scan = T;
@@ -263,6 +266,9 @@ void Application::take_checks() {
     for (const std::uint16_t depth : done->state->frame->depth) record->scan.points += depth != 0;
     record->sensor = in_.source_description;
     record->calibration = in_.camera.calibration;
+    record->noise_m = done->state->point_noise_m;
+    for (const int part : in_.design->model.datums)
+      record->datum.push_back(in_.design->model.parts.at(static_cast<std::size_t>(part)).name);
     record->warnings = in_.design->model.warnings;
     last_check_ = {mark_of(record->inspection.status), record->inspection.status_reason};
     Result<std::vector<evidence::OverlayPicture>> pictures = evidence::draw_overlays(*record);

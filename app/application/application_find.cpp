@@ -62,8 +62,7 @@ void Application::accept_choice() {
 
 // As three picks do.
 void Application::align_as_found(const VisionState& found) {
-  found_by_search_ = true;
-  ask_for_alignment(found.T_design_camera);
+  ask_for_alignment(found.T_design_camera, AlignMethod::kFind);
 }
 
 // The frame that the search was made on bore the pose out, so this is rare; nothing may hang on it.

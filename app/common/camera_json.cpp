@@ -46,7 +46,11 @@ Result<Camera> read_camera(const std::filesystem::path& path) {
   positive("fx", camera.fx);
   positive("fy", camera.fy);
   positive("depth_unit_m", camera.depth_unit_m);
-  if (!object.error() && !camera.is_valid()) object.fail("", "holds intrinsics no camera has");
+  // Between a twentieth of a degree and 179 from side to side.
+  const auto sees = [](double f, int side) { return f > 0.004 * side && f < 1150.0 * side; };
+  if (!object.error() &&
+      !(camera.is_valid() && sees(camera.fx, camera.width) && sees(camera.fy, camera.height)))
+    object.fail("", "holds intrinsics no camera has");
   if (object.error()) return *object.error();
   if (object.has("calibration")) {
     const auto calibration = calibration_of(*json, path.string());

@@ -5,6 +5,7 @@
 #include "app/common/cli.h"
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <iostream>
@@ -33,7 +34,20 @@ int flushed(const std::string& program, int code) {
   return exit_code(ErrorCode::kIo);
 }
 
+CLI::Validator number_check(const std::string& name, bool zero_is_good) {
+  return {[=](std::string& text) {
+            double value = 0;
+            const bool is_number = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+            if (is_number && (value > 0 || (zero_is_good && value == 0))) return std::string();
+            return text + " is no number " + (zero_is_good ? "from 0 on" : "above 0");
+          },
+          name};
+}
+
 }  // namespace
+
+CLI::Validator positive_number() { return number_check("POSITIVE", false); }
+CLI::Validator non_negative_number() { return number_check("NONNEGATIVE", true); }
 
 void add_common_options(CLI::App& app, const std::string& program) {
   app.name(program);

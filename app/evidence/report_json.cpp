@@ -86,7 +86,7 @@ json alignment_json(const Alignment& alignment) {
       {"T_design_scan", alignment.found ? json(row_major(alignment.T_design_scan)) : json(nullptr)},
       {"covariance", matrix36(alignment.covariance)},
       {"weak_directions", weak_directions_json(alignment.weak_directions)},
-      {"rms_m", number(alignment.rms_m)},
+      {"rms_m", alignment.overlap > 0 ? number(alignment.rms_m) : json(nullptr)},
       {"overlap", number(alignment.overlap)},
       {"ambiguous", alignment.ambiguous},
       {"alternatives", alternatives},
@@ -125,9 +125,11 @@ json part_json(const Part& part, const PartFinding& finding) {
 }  // namespace
 
 std::string decision_rule() {
-  return "No dimension is compared with a tolerance. A part of which enough was seen is "
-         "suspicious, "
-         "one of which too little was seen is not_measured, and nothing is ok.";
+  return "No dimension is compared with a tolerance. A part at a joint that is turned, of the "
+         "wrong "
+         "length or exchanged is not_ok; a part of which enough was seen, or on which steel too "
+         "many "
+         "sits, is suspicious; one of which too little was seen is not_measured; nothing is ok.";
 }
 
 std::string report_json(const InspectionRecord& record) {
@@ -157,7 +159,8 @@ std::string report_json(const InspectionRecord& record) {
       {"status", name(inspection.status)},
       {"status_reason", inspection.status_reason},
       {"scan_quality",
-       {{"rms_m", number(inspection.scan_rms_m)}, {"noise_m", number(record.noise_m)}}},
+       {{"rms_m", inspection.declutter.object > 0 ? number(inspection.scan_rms_m) : json(nullptr)},
+        {"noise_m", number(record.noise_m)}}},
       {"decision_rule", decision_rule()},
       {"standard", record.standard},
       {"datum", record.datum},

@@ -64,9 +64,17 @@ void remove_abandoned(const fs::path& folder) {
   for (const auto& path : abandoned) fs::remove_all(path, ignored);
 }
 
+// Of an inspection, overlay_1.png and on; a picture of somebody else's stays.
 bool is_old_picture(const fs::path& path) {
-  const std::string file = path.filename().string();
-  return file.starts_with("overlay_") && path.extension() == ".png";
+  constexpr std::string_view kPrefix = "overlay_";
+  const std::string file = path.stem().string();
+  return file.starts_with(kPrefix) && path.extension() == ".png" && file.size() > kPrefix.size() &&
+         file.find_first_not_of("0123456789", kPrefix.size()) == std::string::npos;
+}
+
+Error cannot_write(const fs::path& path, const std::string& why) {
+  return {ErrorCode::kIo,
+          path.string() + ": cannot be written (" + why + "); choose another folder"};
 }
 
 Status write_all(const fs::path& folder, const InspectionRecord& record,
@@ -84,20 +92,22 @@ Status write_all(const fs::path& folder, const InspectionRecord& record,
 Status move_into_place(const fs::path& staging, const fs::path& folder,
                        const std::vector<OverlayPicture>& pictures) {
   std::error_code code;
+  std::vector<std::string> files;
+  for (const auto& picture : pictures) files.push_back(picture.file);
+  for (const char* file : {"points.ply", "report.html", "report.json"}) files.emplace_back(file);
+  // What cannot be replaced is found out before anything is.
+  for (const auto& file : files)
+    if (fs::is_directory(folder / file, code))
+      return cannot_write(folder / file, "a folder of that name lies there");
   // From here on no report.json says that the folder is complete, until the new one does.
   fs::remove(folder / "report.json", code);
   std::vector<fs::path> old;
   for (const auto& entry : fs::directory_iterator(folder, code))
     if (is_old_picture(entry.path())) old.push_back(entry.path());
   for (const auto& path : old) fs::remove(path, code);
-  std::vector<std::string> files;
-  for (const auto& picture : pictures) files.push_back(picture.file);
-  for (const char* file : {"points.ply", "report.html", "report.json"}) files.emplace_back(file);
   for (const auto& file : files) {
     fs::rename(staging / file, folder / file, code);
-    if (code)
-      return Error{ErrorCode::kIo, (folder / file).string() + ": cannot be written (" +
-                                       code.message() + "); choose another folder"};
+    if (code) return cannot_write(folder / file, code.message());
   }
   return {};
 }

@@ -84,6 +84,23 @@ TEST(Inspector, AGivenPoseIsTakenAsGiven) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->alignment.T_design_scan.matrix(), off.matrix());
   EXPECT_GT(found->scan_rms_m, 0.003);  // 6 mm off shows
+  EXPECT_TRUE(found->alignment.covariance.isZero()) << "it was given";
+}
+
+TEST(Inspector, APoseThatWasComeByOnThisScanSaysHowAndHowWell) {
+  const auto design = tee_design();
+  std::mt19937 random{2};
+  const PointCloud scan = cluttered_scan(Pose::Identity(), random);
+  const auto found = Inspector(design).process(scan, kNoise,
+                                               {.align = AlignMethod::kPose,
+                                                .T_design_scan = Pose::Identity(),
+                                                .posed_by = AlignMethod::kThreePoint});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->alignment.method, AlignMethod::kThreePoint);
+  EXPECT_EQ(found->alignment.T_design_scan.matrix(), Pose::Identity().matrix());
+  const auto translation = found->alignment.covariance.topLeftCorner<3, 3>().diagonal();
+  EXPECT_GT(translation.minCoeff(), 0);
+  EXPECT_LT(translation.maxCoeff(), 0.003 * 0.003) << "thousands of points hold it";
 }
 
 TEST(Inspector, FarOffPlantCoordinatesLoseNothing) {

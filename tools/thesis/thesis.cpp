@@ -58,21 +58,21 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"4-5", "4-6", "4-7", "4-8", "4-9", "4-10", "4-11", "4-12", "5"}));
   app.add_option("--seed", bench.seed, "Of the scenes and of the finder")->capture_default_str();
   app.add_option("--time-limit-s", bench.finder.time_limit_s, "t of Table 4-2, seconds a design")
-      ->check(CLI::PositiveNumber)
+      ->check(spool::positive_number())
       ->capture_default_str();
   app.add_option("--min-support", bench.finder.min_support, "lambda_s of Table 4-2")
       ->check(CLI::Range(0.01, 1.0))
       ->capture_default_str();
   app.add_option("--near-over-leaf", bench.finder.near_over_leaf,
                  "What supports a pose: model points within so many octree leaves of the scene")
-      ->check(CLI::PositiveNumber)
+      ->check(spool::positive_number())
       ->capture_default_str();
   app.add_option("--scenes", bench.effectiveness_scenes, "Scenes of tables 4-11 and 4-12 each")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
   app.add_option("--success-limit-m", bench.success_limit_m,
                  "A found pose may put corners of the design's box off by this (m)")
-      ->check(CLI::PositiveNumber)
+      ->check(spool::positive_number())
       ->capture_default_str();
   return spool::run_program(app, argc, argv,
                             [&] { return spool::thesis::print_tables(tables, bench); });

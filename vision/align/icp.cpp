@@ -152,7 +152,10 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
   Indices near = near_points(scan, surface, T, static_cast<float>(reach), watch);
 
   Matcher matcher(scan, surface, options);
-  matcher.choose(last ? near : strewn(near, kCoarsePoints));
+  const auto choose = [&](bool all) {
+    matcher.choose(all ? near : strewn(near, kCoarsePoints), !all);
+  };
+  choose(last);
   std::vector<Correspondence> matches;
   NormalEquations equations;
   HeldMotions motions;
@@ -187,7 +190,7 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
                       last ? std::min(gate, settled_gate) : std::max(settled_gate, 0.5 * gate));
       last = last || gate <= least_gate;
       at_level = 0;
-      if (last) matcher.choose(near);
+      if (last) choose(true);
     }
     const Pose since = T * T_near.inverse();
     const double moved_m =
@@ -197,13 +200,13 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
       reach = last ? 4 * gate : 2 * gate;
       T_near = T;
       near = near_points(scan, surface, T, static_cast<float>(reach), watch);
-      matcher.choose(last ? near : strewn(near, kCoarsePoints));
+      choose(last);
     }
   }
   if (!last && !watch.cancelled()) {
     // Out of iterations with the gate open: the figures still have to be those of the last gate.
     gate = std::max(least_gate, std::min(gate, 3 * residual_scale(matches, gate)));
-    matcher.choose(near);
+    choose(true);
     matcher.match(T, gate, 0, watch, matches);
     weigh(matches, gate);
     equations = build_normal_equations(matches);

@@ -48,7 +48,8 @@ Indices strewn(const Indices& all, std::size_t count) {
   return some;
 }
 
-void Matcher::choose(const Indices& indices) {
+void Matcher::choose(const Indices& indices, bool coarsely) {
+  coarsely_ = coarsely;
   const auto copy = [&](std::span<const Eigen::Vector3f> from, std::vector<Eigen::Vector3f>& to) {
     to.resize(from.empty() ? 0 : indices.size());
     for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[indices[k]];
@@ -56,7 +57,7 @@ void Matcher::choose(const Indices& indices) {
   copy(scan_.points, points_);
   copy(scan_.normals, normals_);
   memories_.clear();
-  if (indices.size() <= kMostMemories) memories_.resize(indices.size());
+  if (!coarsely && indices.size() <= kMostMemories) memories_.resize(indices.size());
 }
 
 void Matcher::match(const Pose& T, double gate, double margin, const Watch& watch,
@@ -75,8 +76,9 @@ void Matcher::match(const Pose& T, double gate, double margin, const Watch& watc
     for (std::size_t k = begin; k < end; ++k) {
       matches[k] = {};
       const Eigen::Vector3f p = T_f * points_[k];
-      const auto hit = remember ? surface_.closest(p, gate_f, margin_f, memories_[k])
-                                : surface_.closest(p, gate_f);
+      const auto hit = remember    ? surface_.closest(p, gate_f, margin_f, memories_[k])
+                       : coarsely_ ? surface_.closest_tangent(p, gate_f)
+                                   : surface_.closest(p, gate_f);
       if (!hit || hit->normal.squaredNorm() < 0.5F) continue;
       const Eigen::Vector3f offset = p - hit->point;
       const float residual = hit->normal.dot(offset);

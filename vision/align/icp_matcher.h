@@ -28,8 +28,9 @@ class Matcher {
   Matcher(const CloudView& scan, const DesignSurface& surface, const IcpOptions& options)
       : scan_(scan), surface_(surface), options_(options) {}
 
-  // The points of the rounds that follow.
-  void choose(const Indices& indices);
+  // The points of the rounds that follow. `coarsely`: compared to the nearest element's plane,
+  // which is as good while the gate is far wider than the surface's sampling, and not remembered.
+  void choose(const Indices& indices, bool coarsely);
   // Compares the chosen points at pose T; those beyond the gate (m), off an edge or facing
   // elsewhere get weight 0, the rest weight 1. `margin` (m): as far as the points may move until
   // the next round with no new search; 0: further than is worth remembering for. Cancelled,
@@ -43,7 +44,8 @@ class Matcher {
   const IcpOptions& options_;
   // Of the chosen, side by side.
   std::vector<Eigen::Vector3f> points_, normals_;
-  std::vector<SurfaceMemory> memories_;  // empty where there are too many
+  bool coarsely_ = false;
+  std::vector<SurfaceMemory> memories_;  // empty where coarse or too many
 };
 
 }  // namespace spool

@@ -98,6 +98,15 @@ class CloudSurface final : public SurfaceKind {
     });
   }
 
+  std::optional<SurfacePoint> closest_tangent(const Eigen::Vector3f& query,
+                                              float max_distance) const override {
+    if (!query.allFinite() || !(max_distance >= 0)) return std::nullopt;
+    const std::optional<Neighbour> nearest = index_.nearest(query, max_distance);
+    if (!nearest) return std::nullopt;
+    return answer_near(query, *nearest,
+                       [&](float, std::vector<Neighbour>& found) { found.assign(1, *nearest); });
+  }
+
   bool is_within(const Eigen::Vector3f& query, float max_distance) const override {
     return query.allFinite() && max_distance >= 0 && index_.is_within(query, max_distance);
   }

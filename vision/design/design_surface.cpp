@@ -44,6 +44,11 @@ std::optional<SurfacePoint> DesignSurface::closest(const Eigen::Vector3f& query,
   return impl_->kind->closest(query, max_distance, margin, memory);
 }
 
+std::optional<SurfacePoint> DesignSurface::closest_tangent(const Eigen::Vector3f& query,
+                                                           float max_distance) const {
+  return impl_->kind->closest_tangent(query, max_distance);
+}
+
 bool DesignSurface::is_within(const Eigen::Vector3f& query, float max_distance) const {
   return impl_->kind->is_within(query, max_distance);
 }

@@ -53,6 +53,10 @@ class DesignSurface {
   [[nodiscard]] std::optional<SurfacePoint> closest(const Eigen::Vector3f& query,
                                                     float max_distance, float margin,
                                                     SurfaceMemory& memory) const;
+  // Of triangles the same. Of a cloud the tangent plane of the nearest design point alone, for half
+  // the price: its spacing shows in the distance, which is for queries that are far from home.
+  [[nodiscard]] std::optional<SurfacePoint> closest_tangent(const Eigen::Vector3f& query,
+                                                            float max_distance) const;
   // Whether closest() would give an answer; quicker.
   [[nodiscard]] bool is_within(const Eigen::Vector3f& query, float max_distance) const;
   // The first surface along a ray, within `max_distance` (m); always nothing for a cloud design.

@@ -22,6 +22,8 @@ class SurfaceKind {
   [[nodiscard]] virtual std::optional<SurfacePoint> closest(const Eigen::Vector3f& query,
                                                             float max_distance, float margin,
                                                             SurfaceMemory& memory) const = 0;
+  [[nodiscard]] virtual std::optional<SurfacePoint> closest_tangent(const Eigen::Vector3f& query,
+                                                                    float max_distance) const = 0;
   [[nodiscard]] virtual bool is_within(const Eigen::Vector3f& query, float max_distance) const = 0;
   [[nodiscard]] virtual std::optional<RayHit> cast(const Eigen::Vector3f& from,
                                                    const Eigen::Vector3f& direction,

@@ -176,6 +176,11 @@ class TriangleSurface final : public SurfaceKind {
     return answer_from(search);
   }
 
+  std::optional<SurfacePoint> closest_tangent(const Eigen::Vector3f& query,
+                                              float max_distance) const override {
+    return closest(query, max_distance);
+  }
+
   bool is_within(const Eigen::Vector3f& query, float max_distance) const override {
     if (!query.allFinite() || !(max_distance >= 0)) return false;
     AnySearch search{corners_.data(), query, max_distance * max_distance};

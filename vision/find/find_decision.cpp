@@ -24,8 +24,9 @@ constexpr double kCoverageWithRival = 0.45;
 // This near, it is no difference at all: one point in fifty, or three standard deviations of a
 // count of points that are not independent.
 constexpr double kAlike = 0.02;
-// What the camera saw through is not there: half of it may be missing or elsewhere, not more.
-constexpr double kLeastThere = 0.5;
+// What the camera saw through is not there: half of it may be missing or elsewhere, not more. Nor
+// can what lies behind floor or walls have been scanned, but a spool may go through a wall.
+constexpr double kLeastThere = 0.5, kMostBehind = 0.5;
 constexpr std::size_t kMostOthers = 8;  // more ways than that is no finding
 // Two pipes that meet lie about in any shop. Where little of the design shows, it has to be three
 // runs of it, each with so much of what is explained and so many points.
@@ -78,6 +79,12 @@ FindDecision decide(const FinderModel& model, const std::vector<PoseEvidence>& p
     decision.reason =
         "The design was not found in the scan: where what fits best has most of its steel, the "
         "camera saw what lies behind; look from another side, or pick three pairs.";
+    return decision;
+  }
+  if (best.behind > kMostBehind) {
+    decision.reason =
+        "The design was not found in the scan: what fits best would lie mostly behind floor or "
+        "walls; scan more of the spool, or pick three pairs.";
     return decision;
   }
   if (best.free_motions > model.free_motions) {

@@ -60,8 +60,9 @@ FindScene::FindScene(const FinderModel& model, std::span<const Eigen::Vector3f> 
   if (finite.empty() || watch.cancelled()) return;
   planes_ = dominant_planes(finite, {.size_m = model.size_m, .noise_m = noise_m}, watch);
   if (watch.cancelled()) return;
-  const std::vector<Eigen::Vector3f> off =
-      off_planes(finite, planes_, std::max(3 * noise_m, 0.003 * model.size_m));
+  const double band = std::max(3 * noise_m, 0.003 * model.size_m);
+  outer_ = outer_planes(finite, planes_, 2 * band);
+  const std::vector<Eigen::Vector3f> off = off_planes(finite, planes_, band);
   points_ = thin_to_voxels(CloudView(off), model.cell_m()).points;
   index_ = PointIndex(points_);
   // Near is what a pair's pose may be off by, and what a sparse scan leaves between its points.

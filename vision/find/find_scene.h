@@ -14,6 +14,7 @@
 #include "vision/find/elements.h"
 #include "vision/find/finder_model.h"
 #include "vision/find/occupancy.h"
+#include "vision/find/outer_planes.h"
 #include "vision/scan/point_index.h"
 #include "vision/scan/sight.h"
 
@@ -29,6 +30,7 @@ class FindScene {
   [[nodiscard]] std::size_t finite() const { return finite_; }
   [[nodiscard]] bool was_thinned() const { return was_thinned_; }  // more than a search looks at
   [[nodiscard]] const std::vector<DominantPlane>& planes() const { return planes_; }
+  [[nodiscard]] const std::vector<DominantPlane>& outer() const { return outer_; }
   [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
   [[nodiscard]] const PointIndex& index() const { return index_; }  // over points()
   [[nodiscard]] const Occupancy& occupancy() const { return occupancy_; }
@@ -42,6 +44,7 @@ class FindScene {
   std::size_t finite_ = 0;
   bool was_thinned_ = false;
   std::vector<DominantPlane> planes_;
+  std::vector<DominantPlane> outer_;     // of them, those that end the scan
   std::vector<Eigen::Vector3f> points_;  // off the planes, one a cell
   PointIndex index_;
   Occupancy occupancy_;

@@ -34,12 +34,22 @@ double spacing_m(const FindScene& scene, const std::vector<std::uint32_t>& on, d
   return double{*middle};
 }
 
+// The share of the design's surface that no scan can show.
+double behind(const FinderModel& model, const FindScene& scene,
+              const Eigen::Isometry3f& T_scan_design, double gate_m) {
+  if (scene.outer().empty()) return 0;
+  const auto count =
+      std::count_if(model.probes.begin(), model.probes.end(), [&](const Eigen::Vector3f& p) {
+        return is_behind(scene.outer(), T_scan_design * p, gate_m);
+      });
+  return static_cast<double>(count) / static_cast<double>(model.probes.size());
+}
+
 // What the camera saw where the design's surface would face it.
 Sighted sighted(const FinderModel& model, const Sight& sight,
-                const Eigen::Isometry3f& T_design_scan, double gate_m) {
-  const Eigen::Isometry3f T_scan_design = T_design_scan.inverse();
+                const Eigen::Isometry3f& T_scan_design, double gate_m) {
   const std::size_t step = model.samples.size() / kSightedPlaces + 1;
-  const auto gate = static_cast<float>(std::max(2 * gate_m, kSightGate * model.size_m));
+  const auto gate = static_cast<float>(gate_m);
   Sighted sighted;
   for (std::size_t s = 0; s < model.samples.size(); s += step)
     sighted.look(sight, T_scan_design * model.samples.points[s],
@@ -104,8 +114,11 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
   for (const Eigen::Vector3f& p : model.probes) covered += vouched.is_near(p) ? 1U : 0U;
   evidence.coverage = static_cast<double>(covered) / static_cast<double>(model.probes.size());
   evidence.points = std::move(on);
+  const Eigen::Isometry3f T_scan_design = T_design_scan.inverse();
+  const double off = std::max(2 * gate_m, kSightGate * model.size_m);
   if (scene.sight() != nullptr)
-    evidence.sighted = sighted(model, *scene.sight(), T_design_scan, gate_m);
+    evidence.sighted = sighted(model, *scene.sight(), T_scan_design, off);
+  evidence.behind = behind(model, scene, T_scan_design, off);
   return evidence;
 }
 

@@ -27,10 +27,12 @@ struct PoseEvidence {
   std::vector<std::uint32_t> points;    // the explained points' places in the scene, ascending
   Sighted sighted;  // of the surface that would face the camera; nothing where that is not known
 
+  double behind = 0;  // share of the design's surface behind floor or walls that end the scan
+
   // Points that would not be where they are if this were wrong, less as many as would be there if
-  // this were right where the camera saw through it.
+  // this were right where the camera saw through it and where nobody can have seen it.
   [[nodiscard]] double excess() const {
-    return (static_cast<double>(explained) - chance) * sighted.share_there();
+    return (static_cast<double>(explained) - chance) * sighted.share_there() * (1 - behind);
   }
 };
 

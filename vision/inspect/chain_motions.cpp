@@ -25,6 +25,16 @@ float met(const Eigen::Isometry3f& move, const Occupancy& occupancy, const Piece
   return pose_score(move.inverse(), occupancy, shape.probes);
 }
 
+// What lies where the pipe would go on by `by_m`, as a share of the piece's samples.
+float end_met(const MovedBranch& moved, double by_m, const Occupancy& occupancy) {
+  std::size_t on = 0;
+  for (const PipeEndPoint& each : moved.end) {
+    if (double{each.along} > by_m) break;  // nearest first
+    on += occupancy.is_near(each.point) ? 1U : 0U;
+  }
+  return static_cast<float>(on) / static_cast<float>(moved.shape.samples.size());
+}
+
 Eigen::Isometry3f turn_about(const JointFrame& frame, float angle) {
   Eigen::Isometry3f move = Eigen::Isometry3f::Identity();
   move.linear() = Eigen::AngleAxisf(angle, frame.outward).toRotationMatrix();
@@ -52,17 +62,19 @@ std::vector<Eigen::Isometry3f> hung_at(const JointFrame& own, const JointFrame& 
   return spins;
 }
 
-std::vector<ChainMotion> chain_motions(const JointBranch& branch, std::size_t place,
-                                       const PieceShape& shape, const Occupancy& occupancy,
+std::vector<ChainMotion> chain_motions(const MovedBranch& moved, const Occupancy& occupancy,
                                        double size_m) {
+  const JointBranch& branch = moved.branch;
+  const PieceShape& shape = moved.shape;
   const float here = met(Eigen::Isometry3f::Identity(), occupancy, shape);
   std::vector<ChainMotion> all;
-  if (here > 1 - kRoughGain) return all;
+  if (here > 1 - kRoughGain && moved.end.empty()) return all;
   constexpr float kPi = std::numbers::pi_v<float>;
   std::vector<ChainMotion> some;
-  const auto take = [&](PieceFault fault, const Eigen::Isometry3f& move, int hangs_at = -1) {
-    const float gain = met(move, occupancy, shape) - here;
-    if (gain > kRoughGain) some.push_back({place, fault, move, gain, hangs_at});
+  const auto take = [&](PieceFault fault, const Eigen::Isometry3f& move, int hangs_at = -1,
+                        float more = 0) {
+    const float gain = met(move, occupancy, shape) + more - here;
+    if (gain > kRoughGain) some.push_back({moved.place, fault, move, gain, hangs_at});
   };
   const auto keep = [&](std::size_t count) {
     keep_promising(some, count);
@@ -79,7 +91,8 @@ std::vector<ChainMotion> chain_motions(const JointBranch& branch, std::size_t pl
     if (i == 0 || -by > branch.most_shorter_m) continue;
     Eigen::Isometry3f move = Eigen::Isometry3f::Identity();
     move.translation() = static_cast<float>(by) * branch.frame.outward;
-    take(i > 0 ? PieceFault::kTooLong : PieceFault::kTooShort, move);
+    take(i > 0 ? PieceFault::kTooLong : PieceFault::kTooShort, move, -1,
+         end_met(moved, by, occupancy));
   }
   keep(3);
   for (const auto& [frame, joint] : branch.others)

@@ -14,6 +14,7 @@
 #include "vision/find/occupancy.h"
 #include "vision/inspect/joint_tree.h"
 #include "vision/inspect/piece_shape.h"
+#include "vision/inspect/pipe_end.h"
 
 namespace spool {
 
@@ -31,10 +32,18 @@ struct ChainMotion {
   int hangs_at = -1;                                       // exchanged: the joint
 };
 
+// A branch as it is moved.
+struct MovedBranch {
+  std::size_t place = 0;  // in the joint tree
+  const JointBranch& branch;
+  const PieceShape& shape;
+  const std::vector<PipeEndPoint>& end;  // of the pipe at its joint
+};
+
 // The best few of each kind of motion of one branch by the surface that they lay on scan points
-// beyond what lies there unmoved. `occupancy`: of the scan off floor and walls, design frame.
-[[nodiscard]] std::vector<ChainMotion> chain_motions(const JointBranch& branch, std::size_t place,
-                                                     const PieceShape& shape,
+// beyond what lies there unmoved; where a pipe is too long, the length that is too much counts as
+// well. `occupancy`: of the scan off floor and walls, design frame.
+[[nodiscard]] std::vector<ChainMotion> chain_motions(const MovedBranch& moved,
                                                      const Occupancy& occupancy, double size_m);
 
 // A branch hung at `frame` instead of at its own, in every fifteen degrees of turn.

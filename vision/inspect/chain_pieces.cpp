@@ -67,7 +67,9 @@ class RestOfScan {
     for (std::uint32_t i = 0; i < place_.size(); ++i) place_[i] = i;
   }
 
-  [[nodiscard]] ChainScan scan() const { return {scan_.explained, explained_part_, left_}; }
+  [[nodiscard]] ChainScan scan() const {
+    return {scan_.explained, explained_part_, scan_.is_well, left_};
+  }
   // All points, near to which a moved surface may be.
   [[nodiscard]] Occupancy occupancy(double near_m) const {
     std::vector<Eigen::Vector3f> all(left_);
@@ -164,7 +166,11 @@ std::vector<Piece> chain_pieces(const DesignModel& design, std::span<const Joint
   std::vector<ChainMotion> moved;
   if (tree.empty() || !samples.cloud.has_normals()) return pieces;
   std::vector<PieceShape> shapes;
-  for (const JointBranch& branch : tree) shapes.emplace_back(branch.is_part, samples);
+  std::vector<std::vector<PipeEndPoint>> ends;
+  for (const JointBranch& branch : tree) {
+    shapes.emplace_back(branch.is_part, samples);
+    ends.push_back(pipe_end(design, branch, samples));
+  }
   const ChainWeigher weigher(tree, shapes, design, samples, options);
   if (scan.left.size() < weigher.least_points()) return pieces;
 
@@ -176,7 +182,7 @@ std::vector<Piece> chain_pieces(const DesignModel& design, std::span<const Joint
     parallel_chunks(tree.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end && !watch.cancelled(); ++b)
         if (is_done[b] == 0 && !shapes[b].probes.empty())
-          of_branch[b] = chain_motions(tree[b], b, shapes[b], occupancy, options.size_m);
+          of_branch[b] = chain_motions({b, tree[b], shapes[b], ends[b]}, occupancy, options.size_m);
     });
     std::vector<ChainMotion> motions;
     for (const auto& some : of_branch) motions.insert(motions.end(), some.begin(), some.end());

@@ -82,6 +82,14 @@ class Excess {
   std::vector<Pipe> pipes_;
 };
 
+// How far (m) the motion takes the piece, where most.
+double farthest_m(const Eigen::Isometry3f& move, const PieceShape& shape) {
+  float farthest = 0;
+  for (const Eigen::Vector3f& p : shape.probes)
+    farthest = std::max(farthest, (move * p - p).norm());
+  return double{farthest};
+}
+
 }  // namespace
 
 ChainWeigher::ChainWeigher(std::span<const JointBranch> tree, std::span<const PieceShape> shapes,
@@ -136,6 +144,7 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
       shape.as_held(refinement).cast<float>() * motion.move.inverse();
   weighed.motion.move = T_piece_scan.inverse();
 
+  if (farthest_m(weighed.motion.move, shape) < options_.least_move_m) return std::nullopt;
   const bool is_longer = motion.fault == PieceFault::kTooLong;
   const auto excess = is_longer ? std::make_unique<Excess>(design_, samples_, branch,
                                                            weighed.motion.move, options_, gate_m_)
@@ -155,27 +164,30 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
       round_it += surface.is_round(p) ? 1U : 0U;
     }
   }
+  const auto won = static_cast<double>(on.size());
   // What stays on it although it moves, as a pipe does that slides along itself; what lies on it
-  // and was taken for another part; what would lie on nothing any more.
+  // and was taken for another part; what would lie on nothing any more. What lay only near the
+  // design and lies on the piece is won, and costs nothing where it does not.
   for (std::uint32_t i = 0; i < scan.explained.size(); ++i) {
     const bool was_on = branch.holds(scan.explained_part[i]);
+    const bool was_well = scan.is_well.empty() || scan.is_well[i] != 0;
     const Eigen::Vector3f p = T_piece_scan * scan.explained[i];
     if (surface.is_on(p)) {
       weighed.explained.push_back(i);
-      if (was_on) stays.push_back(p);
-    } else if (was_on && !(excess && excess->holds(scan.explained[i]))) {
+      if (was_on) (was_well ? stays : on).push_back(p);
+    } else if (was_on && was_well && !(excess && excess->holds(scan.explained[i]))) {
       lost.push_back(scan.explained[i]);
     }
   }
   const double reach = surface.field().reach_m();
   const double chance =
       static_cast<double>(round_it) * gate_m_ / std::max(gate_m_, reach - gate_m_);
-  const auto points = static_cast<double>(on.size());
-  if (on.size() < kLeastPoints || chance + 3 * std::sqrt(chance) > kMostChance * points)
-    return std::nullopt;
+  // By what is left: that is far from the design.
+  if (won < kLeastPoints || chance + 3 * std::sqrt(chance) > kMostChance * won) return std::nullopt;
   std::size_t missed = lost.size();
   if (motion.fault == PieceFault::kExchanged) missed -= on_counterpart(motion, lost);
-  weighed.gain = points + static_cast<double>(on_excess) - chance - static_cast<double>(missed);
+  weighed.gain = static_cast<double>(on.size()) + static_cast<double>(on_excess) - chance -
+                 static_cast<double>(missed);
   const auto covered = [&] {
     return double{pose_score(Eigen::Isometry3f::Identity(),
                              Occupancy(on, kRoughMotion * options_.size_m), shape.probes)};

@@ -13,6 +13,8 @@ namespace spool {
 namespace {
 
 constexpr std::size_t kMostPieces = 4;
+// A floor or a table that a spool stands on: as long as this, and as this share of the design.
+constexpr double kLeastPlane_m = 1.0, kPlaneOfSize = 0.4;
 
 void forget_clutter(const std::vector<PointClass>& classes, Deviations& deviations) {
   for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -34,11 +36,16 @@ std::vector<Eigen::Vector3f> finite(const std::vector<Eigen::Vector3f>& points) 
 struct ChainInput {
   std::vector<Eigen::Vector3f> explained, left;
   std::vector<std::int32_t> explained_part;
+  std::vector<std::uint8_t> is_well;  // explained: within the chain's gate
   std::vector<std::uint32_t> explained_place, left_place;
+
+  [[nodiscard]] ChainScan scan() const { return {explained, explained_part, is_well, left}; }
 };
 
 ChainOptions chain_options(const ExplainedDesign& design, const ExplainedScan& scan) {
-  return {.noise_m = scan.noise_m, .size_m = design.model.bounds().diagonal().norm()};
+  return {.noise_m = scan.noise_m,
+          .size_m = design.model.bounds().diagonal().norm(),
+          .least_move_m = double{deviation_bound(scan.noise_m)}};
 }
 
 // Left: the unexplained points off floor and walls that a moved piece could meet, within the
@@ -50,11 +57,14 @@ ChainInput chain_input(const ExplainedDesign& design, const ExplainedScan& scan,
   const Eigen::Vector3f middle = box.center().cast<float>();
   const auto reach = static_cast<float>(box.diagonal().norm());
   const auto band = static_cast<float>(3 * scan.noise_m);
+  const double gate_m = chain_options(design, scan).gate_m();
   const std::vector<PointClass>& classes = explanation.declutter.classes;
   for (std::uint32_t i = 0; i < scan.design.size(); ++i) {
     const Eigen::Vector3f& point = scan.design.points[i];
     if (classes[i] == PointClass::kObject) {
       input.explained.push_back(point);
+      input.is_well.push_back(double{std::abs(explanation.deviations.distance_m[i])} <= gate_m ? 1
+                                                                                               : 0);
       input.explained_part.push_back(explanation.deviations.part[i]);
       input.explained_place.push_back(i);
       continue;
@@ -67,6 +77,19 @@ ChainInput chain_input(const ExplainedDesign& design, const ExplainedScan& scan,
     input.left_place.push_back(i);
   }
   return input;
+}
+
+// Floor and walls, and what was scanned of them no further than the spool reaches: what is left of
+// the scan holds no face of the design that could be taken for one.
+std::vector<DominantPlane> planes_to_stand_on(std::span<const Eigen::Vector3f> left,
+                                              const std::vector<DominantPlane>& planes,
+                                              const ChainOptions& options, const Watch& watch) {
+  std::vector<DominantPlane> all = planes;
+  const double size_m = std::max(kLeastPlane_m, kPlaneOfSize * options.size_m);
+  for (DominantPlane& plane :
+       dominant_planes(left, {.size_m = size_m, .noise_m = options.noise_m}, watch))
+    all.push_back(std::move(plane));
+  return all;
 }
 
 // What lies on the moved piece, and on the design only because that is not sharp, is the piece's.
@@ -132,13 +155,15 @@ void explain_pieces(const ExplainedDesign& design, const ExplainedScan& scan, co
     mark_contradicting(design, scan, piece.points, explanation);
   }
   const ChainInput input = chain_input(design, scan, explanation);
-  explanation.unexpected = unexpected_steel(design.model, design.surface,
-                                            {.object = input.explained,
-                                             .object_part = input.explained_part,
-                                             .left = input.left,
-                                             .planes = explanation.planes,
-                                             .noise_m = scan.noise_m},
-                                            watch);
+  explanation.unexpected =
+      unexpected_steel(design.model, design.surface,
+                       {.object = input.explained,
+                        .object_part = input.explained_part,
+                        .left = input.left,
+                        .planes = planes_to_stand_on(input.left, explanation.planes,
+                                                     chain_options(design, scan), watch),
+                        .noise_m = scan.noise_m},
+                       watch);
   for (Unexpected& unexpected : explanation.unexpected) {
     for (std::uint32_t& i : unexpected.points) i = input.left_place[i];
     mark_contradicting(design, scan, unexpected.points, explanation);
@@ -152,10 +177,8 @@ std::vector<Piece> moved_pieces(const ExplainedDesign& design, const ExplainedSc
   const ChainInput input = chain_input(design, scan, explanation);
   ChainOptions options = chain_options(design, scan);
   options.most_pieces = most_pieces;
-  std::vector<Piece> pieces = chain_pieces(
-      design.model, tree, design.samples,
-      {.explained = input.explained, .explained_part = input.explained_part, .left = input.left},
-      options, watch);
+  std::vector<Piece> pieces =
+      chain_pieces(design.model, tree, design.samples, input.scan(), options, watch);
   for (Piece& piece : pieces) {
     for (std::uint32_t& i : piece.points) i = input.left_place[i];
     for (std::uint32_t& i : piece.explained) i = input.explained_place[i];

@@ -73,7 +73,7 @@ struct Inspection {
   std::vector<PartFinding> parts;      // in the design's order
   std::vector<Finding> findings;
   Verdict status = Verdict::kNotMeasured;
-  std::string status_reason;  // one sentence
+  std::string status_reason;  // the first finding, then what was and was not judged
   double scan_rms_m = 0;      // eq. 3.1, scan quality
   std::map<std::string, double> timing_s;
 };

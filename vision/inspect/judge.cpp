@@ -10,6 +10,26 @@ namespace {
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
+bool is_seen(const PartDeviation& deviation, const JudgeOptions& options) {
+  return deviation.coverage >= options.min_coverage && deviation.points >= options.min_points;
+}
+
+// What was found, first of all; a guessed unit has its own place in the report.
+std::string what_was_found(const std::vector<Finding>& findings) {
+  std::string text;
+  std::size_t more = 0;
+  for (const Finding& finding : findings) {
+    if (finding.kind == "scale") continue;
+    if (text.empty())
+      text = finding.text;
+    else
+      ++more;
+  }
+  if (more > 0)
+    text += " (and " + std::to_string(more) + (more == 1 ? " more finding)" : " more findings)");
+  return text.empty() ? text : text + " ";
+}
+
 PartFinding judge_part(const PartDeviation& deviation, const JudgeOptions& options) {
   PartFinding finding;
   finding.deviation = deviation;
@@ -17,7 +37,7 @@ PartFinding judge_part(const PartDeviation& deviation, const JudgeOptions& optio
     finding.reason =
         "No scan point lies on this part: it was not seen, or it is not there. Scan it "
         "from where it shows.";
-  } else if (deviation.coverage < options.min_coverage || deviation.points < options.min_points) {
+  } else if (!is_seen(deviation, options)) {
     finding.reason = "Only " + percent(deviation.coverage) + " of its surface was seen (" +
                      std::to_string(deviation.points) + " points); scan it from more sides.";
   } else {
@@ -58,7 +78,8 @@ std::vector<Finding> collect_findings(const Alignment& alignment, const JudgeOpt
     findings.push_back(
         {"symmetry", "",
          std::to_string(alignment.alternatives.size()) +
-             " more poses explain the scan as well; pick three pairs to say which is meant.",
+             (alignment.alternatives.size() == 1 ? " more pose explains" : " more poses explain") +
+             " the scan as well; pick three pairs to say which is meant.",
          "mean distances of the poses differ by less than a tenth"});
   return findings;
 }
@@ -73,12 +94,13 @@ void judge_whole(Inspection& inspection, const JudgeOptions& options) {
   std::size_t seen = 0;
   for (const PartFinding& part : inspection.parts) {
     status = worse(status, part.status);
-    seen += part.status == Verdict::kNotMeasured ? 0 : 1;
+    seen += is_seen(part.deviation, options) ? 1U : 0U;
   }
   if (!options.units_confirmed || inspection.alignment.ambiguous)
     status = worse(status, Verdict::kSuspicious);
   inspection.status = status;
   inspection.status_reason =
+      what_was_found(inspection.findings) +
       "Features are not fitted yet, so no tolerance is judged; " + std::to_string(seen) + " of " +
       std::to_string(inspection.parts.size()) + " parts were seen well enough to compare" +
       (options.single_frame ? ", in one frame of the sequence." : ".");

@@ -4,6 +4,7 @@
 #include "vision/inspect/missing_parts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "vision/scan/point_index.h"
 
@@ -14,6 +15,9 @@ constexpr double kNothing = 0.05;       // of the part's own surface
 constexpr double kWell = 0.35;          // of what it is joined to
 constexpr std::size_t kFewSamples = 8;  // of its own surface: then all of it is looked at
 constexpr double kThere = 0.25;         // of what a camera looked at: no more of a missing part
+// Of the points about a part's surface, so many lie within so many standard deviations of it.
+constexpr double kMostAlong = 0.75, kAlong = 2.0;
+constexpr float kRound = 3;  // times what a point vouches for: its surroundings
 
 // What it is joined to shows well, and there is something.
 bool is_seen_all_round(const DesignModel& design, int part,
@@ -52,6 +56,52 @@ void each_sample(const SurfaceSamples& samples, int part, const PointIndex& surf
   }
 }
 
+// The standard deviation (m) of the object's points about the surface, whatever a few of them do.
+double spread_m(const MeasuredScan& scan) {
+  std::vector<float> sizes;
+  for (std::size_t i = 0; i < scan.classes.size(); ++i)
+    if (scan.classes[i] == PointClass::kObject)
+      sizes.push_back(std::abs(scan.deviations.distance_m[i]));
+  if (sizes.empty()) return 0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return 1.4826 * double{*middle};
+}
+
+// The points about a part that are its own. Where a flange is missing, the stand that was to hold
+// it still reaches its place: among clutter, and through the surface rather than along it.
+std::vector<Eigen::Vector3f> own_points(const SurfaceSamples& samples, int part,
+                                        const MeasuredScan& scan, float near_m, double spread_m) {
+  Eigen::AlignedBox3f box;
+  for (std::size_t s = 0; s < samples.part.size(); ++s)
+    if (samples.part[s] == part) box.extend(samples.cloud.points[s]);
+  const Eigen::Vector3f round = Eigen::Vector3f::Constant(kRound * near_m);
+  const Eigen::AlignedBox3f wider(box.min() - round, box.max() + round);
+  std::vector<Eigen::Vector3f> all, object;
+  std::vector<std::uint8_t> is_object, is_along;
+  for (std::size_t i = 0; i < scan.classes.size(); ++i) {
+    if (!wider.contains(scan.points.points[i])) continue;  // nor is a NaN
+    if (scan.classes[i] == PointClass::kContradicting) continue;
+    all.push_back(scan.points.points[i]);
+    is_object.push_back(scan.classes[i] == PointClass::kObject ? 1 : 0);
+    is_along.push_back(double{std::abs(scan.deviations.distance_m[i])} < kAlong * spread_m ? 1 : 0);
+    if (is_object.back() != 0) object.push_back(all.back());
+  }
+  const PointIndex index(all);
+  std::vector<Neighbour> near;
+  std::erase_if(object, [&](const Eigen::Vector3f& p) {
+    index.within(p, kRound * near_m, near);
+    std::size_t objects = 0, along = 0;
+    for (const Neighbour& n : near) {
+      objects += is_object[n.index];
+      along += is_object[n.index] != 0 && is_along[n.index] != 0 ? 1U : 0U;
+    }
+    return 2 * objects < near.size() ||
+           static_cast<double>(along) < kMostAlong * static_cast<double>(objects);
+  });
+  return object;
+}
+
 Shown what_shows(const SurfaceSamples& samples, int part, const PointIndex& surface,
                  const PointIndex& scan, float near_m) {
   Shown shown;
@@ -79,8 +129,7 @@ bool is_seen_through(const SurfaceSamples& samples, int part, const PointIndex& 
 
 }  // namespace
 
-std::vector<MissingPart> missing_parts(const DesignModel& design, const CloudView& scan_design,
-                                       std::span<const PointClass> classes,
+std::vector<MissingPart> missing_parts(const DesignModel& design, const MeasuredScan& scan,
                                        const SurfaceSamples& samples,
                                        const std::vector<PartDeviation>& parts,
                                        const std::optional<DesignInSight>& in_sight,
@@ -93,16 +142,21 @@ std::vector<MissingPart> missing_parts(const DesignModel& design, const CloudVie
         (by_sight || is_seen_all_round(design, static_cast<int>(p), parts)))
       doubtful.push_back(static_cast<int>(p));
   std::vector<Eigen::Vector3f> points;
-  for (std::size_t i = 0; i < classes.size() && !doubtful.empty(); ++i)
-    if (classes[i] == PointClass::kObject) points.push_back(scan_design.points[i]);
+  for (std::size_t i = 0; i < scan.classes.size() && !doubtful.empty(); ++i)
+    if (scan.classes[i] == PointClass::kObject) points.push_back(scan.points.points[i]);
   if (points.empty()) return missing;
-  const PointIndex scan(points, watch);
+  const PointIndex object(points, watch);
   const PointIndex surface(samples.cloud.points, watch);
   if (watch.cancelled()) return missing;
-  const auto near = static_cast<float>(vouching_radius(scan, points, samples.radius_m));
+  const auto near = static_cast<float>(vouching_radius(object, points, samples.radius_m));
+  const double spread = spread_m(scan);
+  const auto shows_nothing = [&](int part) {
+    const std::vector<Eigen::Vector3f> own = own_points(samples, part, scan, near, spread);
+    return what_shows(samples, part, surface, PointIndex(own), near).is_nothing();
+  };
   for (const int part : doubtful) {
-    if (by_sight ? is_seen_through(samples, part, surface, near, *in_sight)
-                 : what_shows(samples, part, surface, scan, near).is_nothing())
+    if (watch.cancelled()) return {};
+    if (by_sight ? is_seen_through(samples, part, surface, near, *in_sight) : shows_nothing(part))
       missing.push_back({part, by_sight});
   }
   return missing;

@@ -28,15 +28,21 @@ struct MissingPart {
   bool is_seen_through = false;  // by the camera; else something may hide it
 };
 
+// The scan as its deviations were measured; all outlive the call.
+struct MeasuredScan {
+  CloudView points;  // m, design frame
+  std::span<const PointClass> classes;
+  const Deviations& deviations;
+};
+
 // Ascending. A part's own surface is looked for where nothing else of the design is near enough to
 // be taken for it: the end of a pipe lies on the hub of the flange that is not there. Of a depth
 // image (`in_sight`; of no other scan) a part is missing where the camera saw through it; of
-// any other, where it does not show although what it is joined to does.
-// `scan_design`: m, design frame, of which the object's points count; `parts`: summarise_parts() of
-// the same. None of a cancelled run.
+// any other, where it does not show although what it is joined to does; there a stand that reaches
+// its place is not the part. `parts`: summarise_parts() of the same. None of a cancelled run.
 [[nodiscard]] std::vector<MissingPart> missing_parts(
-    const DesignModel& design, const CloudView& scan_design, std::span<const PointClass> classes,
-    const SurfaceSamples& samples, const std::vector<PartDeviation>& parts,
+    const DesignModel& design, const MeasuredScan& scan, const SurfaceSamples& samples,
+    const std::vector<PartDeviation>& parts,
     const std::optional<DesignInSight>& in_sight = std::nullopt, const Watch& watch = {});
 
 }  // namespace spool

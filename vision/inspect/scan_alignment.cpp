@@ -274,6 +274,10 @@ Alignment align_scan(const AlignRequest& request, const Placement& placement,
       alignment.T_design_scan = placement.T_design_scan;
       alignment.rms_m = icp.rms_m;
       alignment.overlap = icp.overlap;
+      if (!request.posed_by) break;
+      alignment.method = *request.posed_by;
+      alignment.covariance = icp.covariance;
+      alignment.weak_directions = icp.weak_directions;
       break;
     }
     case AlignMethod::kThreePoint:

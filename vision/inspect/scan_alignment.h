@@ -26,6 +26,7 @@ struct AlignRequest {
   const FinderModel* finder = nullptr;  // for kFind
   std::uint32_t seed = 1;               // of its draws
   bool is_depth_image = false;          // the scan is what a camera at its origin sees along +z
+  std::optional<AlignMethod> posed_by;  // how the pose was come by, if it was refined on this scan
 };
 
 // A first placement, between the origin-free frames that everything inside computes in.

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "vision/inspect/deviation.h"
+#include "vision/inspect/ground.h"
 #include "vision/scan/point_index.h"
 
 namespace spool {
@@ -59,9 +60,8 @@ class Growth {
  private:
   [[nodiscard]] bool touches_plane(const Eigen::Vector3f& p) const {
     const float band = step_m_ + static_cast<float>(3 * scan_.noise_m);
-    return std::any_of(scan_.planes.begin(), scan_.planes.end(), [&](const DominantPlane& plane) {
-      return std::abs(plane.distance(p)) < band;
-    });
+    return std::any_of(scan_.planes.begin(), scan_.planes.end(),
+                       [&](const DominantPlane& plane) { return plane.holds(p, band); });
   }
 
   const UnexpectedScan& scan_;
@@ -77,6 +77,7 @@ bool is_a_stand(const Eigen::Vector3f& first, const Eigen::Vector3f& farthest, d
   const Eigen::Vector3f along = (farthest - first).normalized();
   return std::any_of(planes.begin(), planes.end(), [&](const DominantPlane& plane) {
     const float distance = plane.distance(farthest);
+    if (!plane.patch.is_near(farthest - distance * plane.normal)) return false;  // past its edge
     const bool points_at_it = -along.dot(plane.normal) * std::copysign(1.0F, distance) > kStraight;
     return double{std::abs(distance)} < (points_at_it ? kStraightWay : kOfTheWay) * reach_m;
   });
@@ -94,6 +95,19 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
   // As dense as the spool's own points, and no denser than noise lets be told.
   const double step = kJoined * vouching_radius(object, object_points, 5 * scan.noise_m);
   Growth growth(scan, step, watch);
+  std::vector<Eigen::Vector3f> all(object_points);
+  all.insert(all.end(), scan.left.begin(), scan.left.end());
+  const double size_m = design.bounds().diagonal().norm();
+  // Where the floor is not in the scan: what ends where other things end.
+  const auto stands_on_ground = [&](const std::vector<std::uint32_t>& points,
+                                    const Eigen::Vector3f& first, const Eigen::Vector3f& last) {
+    std::vector<Eigen::Vector3f> others;
+    for (std::uint32_t k = 0; k < scan.left.size(); ++k)
+      if (!std::binary_search(points.begin(), points.end(), k)) others.push_back(scan.left[k]);
+    const double band = step + 3 * scan.noise_m;
+    const auto floor = ground(all, others, (last - first).normalized(), size_m, band);
+    return floor && double{floor->distance(last)} < 2 * band;
+  };
   for (std::uint32_t i = 0; i < scan.left.size() && !watch.cancelled(); ++i) {
     if (growth.is_met(i) || !object.nearest(scan.left[i], static_cast<float>(step))) continue;
     std::optional<std::vector<std::uint32_t>> points = growth.from(i, watch);
@@ -123,6 +137,7 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
     it.part = most->first;
     if (it.reach_m < kLeastReach || it.reach_m >= kFarthest ||
         is_a_stand(nearest_joined, farthest, it.reach_m, scan.planes) ||
+        stands_on_ground(*points, nearest_joined, farthest) ||
         design.parts[static_cast<std::size_t>(it.part)].kind == PartKind::kSupport)
       continue;
     it.points = std::move(*points);

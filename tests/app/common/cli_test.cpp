@@ -51,6 +51,17 @@ TEST(RunProgram, MapsEveryErrorToItsExitCodeAndOneLine) {
   }
 }
 
+TEST(Numbers, AreFiniteAndToldInAFewWords) {
+  for (const char* bad : {"nan", "inf", "-1", "0", "abc", "1e999", "1 2", ""}) {
+    const std::string why = positive_number()(std::string(bad));
+    EXPECT_FALSE(why.empty()) << bad;
+    EXPECT_LT(why.size(), 40U) << why;
+  }
+  EXPECT_TRUE(positive_number()(std::string("2.5")).empty());
+  EXPECT_TRUE(non_negative_number()(std::string("0")).empty());
+  EXPECT_FALSE(non_negative_number()(std::string("-1e-9")).empty());
+}
+
 TEST(RunProgram, AnswersAnUnknownFlagWith64WithoutRunning) {
   bool ran = false;
   const auto outcome = run({"--no-such-flag"}, [&] {

@@ -148,6 +148,8 @@ TEST(CameraJson, RefusesImpossibleIntrinsicsByKey) {
           {"half a pixel", CameraText{.width = "640.5"}.json(),
            "\"width\" has to be a whole number"},
           {"too wide", CameraText{.width = "64000"}.json(), "intrinsics no camera has"},
+          {"all round", CameraText{.fx = "1e-300"}.json(), "intrinsics no camera has"},
+          {"a needle's view", CameraText{.fx = "1e6"}.json(), "intrinsics no camera has"},
           {"text", CameraText{.width = "\"640\""}.json(), "\"width\" has to be a number"},
           {"calibration", CameraText{.more = R"(, "calibration": {"scale_u": -1})"}.json(),
            "\"calibration.scale_u\" has to lie between"},

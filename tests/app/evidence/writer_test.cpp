@@ -51,9 +51,28 @@ TEST(WriteInspection, LeavesNoPictureOfAnEarlierInspection) {
   ASSERT_TRUE(
       write_inspection(folder.path(), test::sample_record(), {picture(1), picture(2), picture(3)}));
   std::ofstream(folder.path() / "notes.txt") << "kept";
+  std::ofstream(folder.path() / "overlay_mine.png") << "kept";
   ASSERT_TRUE(write_inspection(folder.path(), test::sample_record(), {picture(1)}));
   EXPECT_EQ(files_in(folder.path()),
-            (std::set<std::string>{"notes.txt", "overlay_1.png", "points.ply", "report.html",
+            (std::set<std::string>{"notes.txt", "overlay_1.png", "overlay_mine.png", "points.ply",
+                                   "report.html", "report.json"}));
+}
+
+TEST(WriteInspection, ReplacesNothingWhereOneFileCannotBeReplaced) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(write_inspection(folder.path(), test::sample_record(), {picture(1), picture(2)}));
+  fs::remove(folder.path() / "points.ply");
+  fs::create_directory(folder.path() / "points.ply");
+  const auto before = read_file(folder.path() / "report.html");
+  auto record = test::sample_record();
+  record.standard = "another";
+  const auto status = write_inspection(folder.path(), record, {picture(1)});
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::kIo);
+  EXPECT_EQ(status.error().message.find((folder.path() / "points.ply").string()), 0U);
+  EXPECT_EQ(*read_file(folder.path() / "report.html"), *before);
+  EXPECT_EQ(files_in(folder.path()),
+            (std::set<std::string>{"overlay_1.png", "overlay_2.png", "points.ply", "report.html",
                                    "report.json"}));
 }
 

@@ -108,10 +108,17 @@ TEST_P(Kinds, LieAtNoiseFromTheDesignsSurfaceAtTheTruePose) {
   EXPECT_GT(std::sqrt(sum2 / n), 0.0002);
 }
 
+std::string name_of(const testing::TestParamInfo<ObjectKind>& row) {
+  constexpr const char* kNames[] = {"pipe_spool", "small_spool", "box_frame", "four_branch",
+                                    "random_spool"};
+  return kNames[static_cast<std::size_t>(row.param)];
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Kinds,
                          testing::Values(ObjectKind::kPipeSpool3m, ObjectKind::kSmallSpool,
                                          ObjectKind::kBoxFrame, ObjectKind::kFourBranch,
-                                         ObjectKind::kRandomSpool));
+                                         ObjectKind::kRandomSpool),
+                         name_of);
 
 TEST(Scene, IsTheSameForTheSameRequestAndNoOther) {
   const Scene a = make_scene(request(ObjectKind::kPipeSpool3m, 7));

@@ -267,6 +267,35 @@ TEST(CloudSurface, MeasuresToTheSurfaceBetweenThePoints) {
   }
 }
 
+TEST(CloudSurface, LaysTheTangentPlaneThroughTheNearestPointAlone) {
+  const double spacing = 0.004;
+  const PointCloud cloud = cylinder_cloud(0.084, 0.3, spacing, true);
+  const Result<DesignSurface> surface = DesignSurface::build(CloudView(cloud));
+  ASSERT_TRUE(surface);
+  std::mt19937 random(8);
+  int differ = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3f query = random_in(random, 0.1F) + Eigen::Vector3f(0, 0, 0.15F);
+    const auto found = surface->closest_tangent(query, 0.05F);
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < cloud.size(); ++k)
+      if ((cloud.points[k] - query).norm() < (cloud.points[nearest] - query).norm()) nearest = k;
+    const Eigen::Vector3f offset = query - cloud.points[nearest];
+    ASSERT_EQ(found.has_value(), offset.norm() < 0.05F);
+    if (!found) continue;
+    const float height = cloud.normals[nearest].dot(offset);
+    const float aside = (offset - height * cloud.normals[nearest]).norm();
+    // Past 1.5 spacings aside the surface has ended, as closest() has it.
+    if (aside < 0.004F) {
+      EXPECT_NEAR(found->distance, height, kFloat);
+    }
+    const auto blended = surface->closest(query, 0.05F);
+    ASSERT_TRUE(blended);
+    if (std::abs(blended->distance - found->distance) > 1e-5F) ++differ;
+  }
+  EXPECT_GT(differ, 100);  // the blend is another answer
+}
+
 TEST(CloudSurface, EstimatesNormalsWhereThereAreNone) {
   const double radius = 0.084;
   const PointCloud cloud = cylinder_cloud(radius, 0.3, 0.004, false);

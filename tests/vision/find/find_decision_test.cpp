@@ -46,6 +46,11 @@ PoseEvidence sighted(PoseEvidence pose, std::size_t there, std::size_t through) 
   return pose;
 }
 
+PoseEvidence behind(PoseEvidence pose, double share) {
+  pose.behind = share;
+  return pose;
+}
+
 struct Case {
   const char* name;
   std::vector<PoseEvidence> poses;
@@ -107,6 +112,18 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"a_third_seen_through", {sighted(evidence(0, 1000, 0.6), 200, 100)}, true, {}, ""},
         Case{"a_rival_that_was_seen_through",
              {evidence(0, 1000, 0.4), sighted(evidence(0, 990, 0.4), 300, 100)},
+             true,
+             {},
+             ""},
+        // Nobody can have scanned what lies below the floor; a spool may go through a wall.
+        Case{"below_the_floor",
+             {behind(evidence(0, 1000, 0.45), 0.55)},
+             false,
+             {},
+             "behind floor or walls"},
+        Case{"through_a_wall", {behind(evidence(0, 1000, 0.6), 0.4)}, true, {}, ""},
+        Case{"a_rival_that_reaches_through_the_floor",
+             {evidence(0, 1000, 0.4), behind(evidence(0, 990, 0.4), 0.25)},
              true,
              {},
              ""},

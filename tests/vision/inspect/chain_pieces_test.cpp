@@ -4,6 +4,7 @@
 #include "vision/inspect/chain_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -253,7 +254,8 @@ std::vector<int> missing_in(const PointCloud& scan) {
                                      explanation.deviations, spool.samples);
   std::vector<int> missing;
   for (const MissingPart& it :
-       missing_parts(spool.design, scan, explanation.declutter.classes, spool.samples, parts)) {
+       missing_parts(spool.design, {scan, explanation.declutter.classes, explanation.deviations},
+                     spool.samples, parts)) {
     EXPECT_FALSE(it.is_seen_through) << "no camera";
     missing.push_back(it.part);
   }
@@ -282,6 +284,38 @@ TEST(MissingParts, AreNotVouchedForByTheEndOfAPipe) {
   scan.points.insert(scan.points.end(), more.points.begin(), more.points.end());
   scan.normals.insert(scan.normals.end(), more.normals.begin(), more.normals.end());
   EXPECT_EQ(missing_in(scan), std::vector<int>{kEnd});
+}
+
+TEST(MissingParts, AreNotVouchedForByWhatStandsThere) {
+  // A post beside the place of the tip, to a centimetre; without normals its near side is
+  // explained.
+  const JointedSpool& spool = jointed();
+  const auto with_post = [&](bool has_tip) {
+    PointCloud scan = spool.scan(spool.as_designed(), {true, true, true, has_tip, true, true});
+    std::mt19937 random{6};
+    const test::Rod post{{0.6, 0.05, 0}, Vector3d::UnitZ(), 0.02, 1.3};
+    const PointCloud more =
+        test::scan_of({post}, Pose::Identity(), {.points = 2500, .noise_m = kNoise}, random);
+    scan.points.insert(scan.points.end(), more.points.begin(), more.points.end());
+    scan.normals.clear();
+    return scan;
+  };
+  EXPECT_EQ(missing_in(with_post(false)), std::vector<int>{kTip});
+  EXPECT_TRUE(missing_in(with_post(true)).empty());
+}
+
+TEST(MissingParts, AreNotVouchedForByWhatReachesThroughTheirSurface) {
+  // A cradle's top: nowhere further than 18 mm from where the tip's surface would be.
+  PointCloud scan = jointed().scan(jointed().as_designed(), {true, true, true, false, true, true});
+  std::mt19937 random{8};
+  std::uniform_real_distribution<float> unit(0, 1);
+  for (int i = 0; i < 250; ++i) {
+    const float angle = unit(random), off = 0.033F * unit(random), z = 0.86F + 0.3F * unit(random);
+    const Eigen::Vector3f out(std::cos(angle), std::sin(angle), 0);
+    scan.points.emplace_back(Eigen::Vector3f(0.6F, 0, z) + (0.015F + off) * out);
+  }
+  scan.normals.clear();
+  EXPECT_EQ(missing_in(scan), std::vector<int>{kTip});
 }
 
 TEST(SpoolFindings, APartOfAPieceElsewhereIsNotMissing) {

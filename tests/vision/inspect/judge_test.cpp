@@ -60,6 +60,25 @@ TEST(Judge, SeenIsSuspiciousUnseenIsNotMeasuredNothingIsOk) {
       "to compare.");
 }
 
+TEST(Judge, TheReasonLeadsWithWhatWasFoundAndCountsOnlyWhatWasSeen) {
+  Inspection inspection;
+  inspection.alignment.found = true;
+  inspection.parts.resize(2);
+  inspection.parts[0].status = Verdict::kNotOk;
+  inspection.parts[0].deviation = {.points = 500, .coverage = 0.5};
+  inspection.parts[1].status = Verdict::kSuspicious;  // it hangs on the other, and nothing shows
+  inspection.findings = {{"scale", "", "A unit was guessed.", ""},
+                         {"misplaced", "elbow", "elbow is turned.", ""}};
+  judge_whole(inspection);
+  EXPECT_EQ(inspection.status, Verdict::kNotOk);
+  EXPECT_EQ(inspection.status_reason,
+            "elbow is turned. Features are not fitted yet, so no tolerance is judged; 1 of 2 parts "
+            "were seen well enough to compare.");
+  inspection.findings.push_back({"missing", "cap", "cap is missing.", ""});
+  judge_whole(inspection);
+  EXPECT_EQ(inspection.status_reason.find("elbow is turned. (and 1 more finding) Features"), 0U);
+}
+
 TEST(Judge, WithoutAPoseNothingIsMeasured) {
   Inspection inspection;
   inspection.alignment.reason = "because";

@@ -72,7 +72,8 @@ std::vector<MissingPart> missing_in(const PointCloud& scan) {
                                      explanation.deviations, jointed().samples);
   const DesignInSight in_sight{Sight(scan.points), T.inverse().cast<float>(),
                                deviation_bound(kNoise)};
-  return missing_parts(jointed().design, scan_design, explanation.declutter.classes,
+  return missing_parts(jointed().design,
+                       {scan_design, explanation.declutter.classes, explanation.deviations},
                        jointed().samples, parts, in_sight);
 }
 

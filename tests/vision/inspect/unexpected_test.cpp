@@ -22,8 +22,12 @@ const test::JointedSpool& jointed() {
   return spool;
 }
 
+// So far to each side of the middle the floor was scanned (m): further than the spool is long, or
+// only round it, where it is no longer than the spool.
+constexpr float kWide = 1.5F, kNarrow = 0.55F, kNoFloor = 0;
+
 // The spool 0.2 m over a floor, as designed, and rods that are not the design's.
-std::vector<Unexpected> unexpected_with(const std::vector<Rod>& more, bool with_floor = true) {
+std::vector<Unexpected> unexpected_with(const std::vector<Rod>& more, float floor = kWide) {
   PointCloud scan =
       jointed().scan(jointed().as_designed(), std::vector<bool>(jointed().rods.size(), true));
   std::mt19937 random{11};
@@ -35,14 +39,14 @@ std::vector<Unexpected> unexpected_with(const std::vector<Rod>& more, bool with_
     scan.points.insert(scan.points.end(), points.points.begin(), points.points.end());
     scan.normals.insert(scan.normals.end(), points.normals.begin(), points.normals.end());
   }
-  std::uniform_real_distribution<float> in(-1.5F, 1.5F);
-  for (int i = 0; i < 60000 && with_floor; ++i) {
+  std::uniform_real_distribution<float> in(-floor, floor);
+  for (int i = 0; i < 60000 && floor > 0; ++i) {
     scan.points.emplace_back(in(random), in(random), -0.2F);
     scan.normals.emplace_back(Eigen::Vector3f::UnitZ());
   }
   const ExplainedScan explained{scan, 0.001, true};
   Explanation explanation = explain_surface(jointed().explained(), explained);
-  EXPECT_EQ(explanation.planes.empty(), !with_floor);
+  EXPECT_EQ(explanation.planes.empty(), floor < kWide);
   explain_pieces(jointed().explained(), explained, {}, explanation);
   EXPECT_TRUE(explanation.pieces.empty());
   std::size_t points = 0;
@@ -67,12 +71,18 @@ TEST_P(BranchTooMany, IsFoundOnItsPart) {
 
 INSTANTIATE_TEST_SUITE_P(Directions, BranchTooMany,
                          testing::Values(Rod{{-0.03, 0, 0.6}, -Vector3d::UnitX(), 0.02, 0.25},
-                                         Rod{{0.03, 0, 0.5}, Vector3d::UnitX(), 0.02, 0.12}));
+                                         Rod{{0.03, 0, 0.5}, Vector3d::UnitX(), 0.02, 0.12}),
+                         [](const auto& row) { return row.index == 0 ? "back" : "ahead"; });
 
 TEST(Unexpected, IsNotWhatHoldsTheSpoolUp) {
   // A jack under the arm, from the floor; and one of which the scanner saw the upper half.
-  EXPECT_TRUE(unexpected_with({{{0.3, 0, -0.2}, Vector3d::UnitZ(), 0.025, 0.965}}).empty());
-  EXPECT_TRUE(unexpected_with({{{0.3, 0, 0.35}, Vector3d::UnitZ(), 0.025, 0.415}}).empty());
+  for (const float floor : {kWide, kNarrow}) {
+    SCOPED_TRACE(floor);
+    EXPECT_TRUE(
+        unexpected_with({{{0.3, 0, -0.2}, Vector3d::UnitZ(), 0.025, 0.965}}, floor).empty());
+    EXPECT_TRUE(
+        unexpected_with({{{0.3, 0, 0.35}, Vector3d::UnitZ(), 0.025, 0.415}}, floor).empty());
+  }
 }
 
 TEST(Unexpected, IsNotWhatOnlyLiesNear) {
@@ -84,7 +94,24 @@ TEST(Unexpected, IsNotAWeldOrALug) {
 }
 
 TEST(Unexpected, NeedsNoFloor) {
-  EXPECT_EQ(unexpected_with({{{-0.03, 0, 0.6}, -Vector3d::UnitX(), 0.02, 0.25}}, false).size(), 1U);
+  EXPECT_EQ(unexpected_with({{{-0.03, 0, 0.6}, -Vector3d::UnitX(), 0.02, 0.25}}, kNoFloor).size(),
+            1U);
+}
+
+TEST(Unexpected, IsNotWhatStandsOnAFloorThatWasCutOff) {
+  const Rod jack{{0.3, 0, -0.2}, Vector3d::UnitZ(), 0.025, 0.965};
+  EXPECT_EQ(unexpected_with({jack}, kNoFloor).size(), 1U) << "nothing else ends there";
+  std::vector<Rod> more{jack};
+  for (int i = 0; i < 8; ++i)
+    more.push_back({{-1 + 0.6 * (i % 4), i < 4 ? -0.9 : 0.9, -0.2}, Vector3d::UnitZ(), 0.08, 0.5});
+  EXPECT_TRUE(unexpected_with(more, kNoFloor).empty());
+}
+
+TEST(Unexpected, IsNotHeldWhereTheFloorHasEnded) {
+  // Nearly as low as the floor, half a metre beyond its edge.
+  const Rod branch{{0.6, 0, 0.95}, Vector3d(0.6, 0, -1.1).normalized(), 0.02, 1.26};
+  EXPECT_TRUE(unexpected_with({branch}).empty());
+  EXPECT_EQ(unexpected_with({branch}, kNarrow).size(), 1U);
 }
 
 TEST(Unexpected, IsAFindingAndMakesItsPartSuspicious) {
