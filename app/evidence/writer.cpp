@@ -93,6 +93,7 @@ Status move_into_place(const fs::path& staging, const fs::path& folder,
                        const std::vector<OverlayPicture>& pictures) {
   std::error_code code;
   std::vector<std::string> files;
+  files.reserve(pictures.size() + 3);
   for (const auto& picture : pictures) files.push_back(picture.file);
   for (const char* file : {"points.ply", "report.html", "report.json"}) files.emplace_back(file);
   // What cannot be replaced is found out before anything is.

@@ -56,6 +56,7 @@ std::vector<Eigen::Isometry3f> hung_at(const JointFrame& own, const JointFrame& 
       Eigen::Quaternionf::FromTwoVectors(own.outward, frame.outward).toRotationMatrix();
   carry.translation() = frame.point - carry.linear() * own.point;
   std::vector<Eigen::Isometry3f> spins;
+  spins.reserve(kSpins);
   for (int i = 0; i < kSpins; ++i)
     spins.push_back(
         turn_about(frame, 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kSpins) * carry);

@@ -127,9 +127,10 @@ std::vector<Eigen::Vector3d> places(const std::vector<Eigen::Vector3f>& on, doub
     cells.emplace(std::lround(cell.x()), std::lround(cell.y()), std::lround(cell.z()));
   }
   std::vector<Eigen::Vector3d> middles;
+  middles.reserve(cells.size());
   for (const auto& [x, y, z] : cells)
-    middles.push_back(place_m * Eigen::Vector3d(static_cast<double>(x), static_cast<double>(y),
-                                                static_cast<double>(z)));
+    middles.emplace_back(place_m * static_cast<double>(x), place_m * static_cast<double>(y),
+                         place_m * static_cast<double>(z));
   return middles;
 }
 

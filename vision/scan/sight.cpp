@@ -46,7 +46,7 @@ Sight::Sight(std::span<const Eigen::Vector3f> scan) {
   for (const Eigen::Vector3f& point : scan) {
     int column = 0, row = 0;
     if (!point.allFinite() || !cell_of(point, column, row)) continue;
-    Cell& cell = cells_[static_cast<std::size_t>(row * columns_ + column)];
+    Cell& cell = cells_[index_of(column, row)];
     cell.nearest = std::min(cell.nearest, point.z());
     cell.farthest = std::max(cell.farthest, point.z());
   }
@@ -70,7 +70,7 @@ Seen Sight::at(const Eigen::Vector3f& place, float gate_m) const {
   int read = 0;
   for (int r = std::max(row - 1, 0); r <= std::min(row + 1, rows_ - 1); ++r)
     for (int c = std::max(column - 1, 0); c <= std::min(column + 1, columns_ - 1); ++c) {
-      const Cell& cell = cells_[static_cast<std::size_t>(r * columns_ + c)];
+      const Cell& cell = cells_[index_of(c, r)];
       if (cell.nearest > cell.farthest) continue;
       nearest = std::min(nearest, cell.nearest);
       farthest = std::max(farthest, cell.farthest);

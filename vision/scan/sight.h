@@ -33,6 +33,10 @@ class Sight {
   struct Cell {
     float nearest, farthest;  // m along z; empty: nearest > farthest
   };
+  [[nodiscard]] std::size_t index_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
   // Column and row; nothing outside the image or behind the camera.
   [[nodiscard]] bool cell_of(const Eigen::Vector3f& place, int& column, int& row) const;
 
