@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "vision/core/median.h"
+
 namespace spool {
 namespace {
 
@@ -39,9 +41,7 @@ FrameSamples sample_frame(const SeenFrame& frame, const ReadingNoise& noise, std
       variances.push_back(chosen.samples.back().variance);
     }
   if (variances.empty()) return chosen;
-  const auto middle = variances.begin() + static_cast<std::ptrdiff_t>(variances.size() / 2);
-  std::nth_element(variances.begin(), middle, variances.end());
-  chosen.variance = double{*middle};
+  chosen.variance = double{median(variances)};
   const double window_px = kWindowRad * std::min(frame.camera.fx, frame.camera.fy);
   chosen.correlated = std::max(1.0, window_px * window_px / (step * step));
   return chosen;

@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "vision/core/median.h"
+
 namespace spool {
 namespace {
 
@@ -24,9 +26,7 @@ Eigen::Vector3f middle_of(std::span<const Eigen::Vector3f> points) {
     for (std::size_t i = 0; i < points.size(); i += step)
       if (points[i].allFinite()) values.push_back(points[i][axis]);
     if (values.empty()) continue;
-    const auto half = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), half, values.end());
-    middle[axis] = *half;
+    middle[axis] = median(values);
   }
   return middle;
 }

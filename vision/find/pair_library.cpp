@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "vision/core/file_digest.h"
+#include "vision/core/median.h"
 #include "vision/core/parallel.h"
 #include "vision/design/sampling.h"
 #include "vision/scan/normals.h"
@@ -71,9 +72,7 @@ double spacing_of(const SurfaceSamples& samples) {
     if (two.size() == 2) nearest.push_back(two[1].distance);
   }
   if (nearest.empty()) return 0;
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::nth_element(nearest.begin(), middle, nearest.end());
-  return *middle;
+  return median(nearest);
 }
 
 // Normals of the neighbours' planes, on the side of those the points have (if any), and the points

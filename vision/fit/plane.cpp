@@ -12,6 +12,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "vision/core/median.h"
+
 namespace spool {
 namespace {
 
@@ -85,9 +87,7 @@ double median_distance(const Plane& plane, std::span<const Eigen::Vector3f> poin
                        const Places& places, std::vector<double>& scratch) {
   scratch.clear();
   for (const std::uint32_t i : places) scratch.push_back(plane.distance(points[i]));
-  const auto middle = scratch.begin() + static_cast<std::ptrdiff_t>(scratch.size() / 2);
-  std::nth_element(scratch.begin(), middle, scratch.end());
-  return *middle;
+  return median(scratch);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/core/median.h"
 #include "vision/scan/point_index.h"
 
 namespace spool {
@@ -63,9 +64,7 @@ double spread_m(const MeasuredScan& scan) {
     if (scan.classes[i] == PointClass::kObject)
       sizes.push_back(std::abs(scan.deviations.distance_m[i]));
   if (sizes.empty()) return 0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return 1.4826 * double{*middle};
+  return 1.4826 * double{median(sizes)};
 }
 
 // The points about a part that are its own. Where a flange is missing, the stand that was to hold

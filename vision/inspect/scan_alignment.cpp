@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "vision/align/principal_axes.h"
+#include "vision/core/median.h"
 #include "vision/core/parallel.h"
 #include "vision/find/finder.h"
 #include "vision/inspect/piece_shape.h"
@@ -248,9 +249,7 @@ double typical_noise_m(const PointCloud& scan, const NoiseModel& noise) {
   for (std::size_t i = 0; i < scan.size(); i += step)
     if (scan.points[i].allFinite()) depths.push_back(std::abs(scan.points[i].z()));
   if (depths.empty()) return noise.axial_m(1.0);
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::nth_element(depths.begin(), middle, depths.end());
-  return noise.axial_m(double{*middle});
+  return noise.axial_m(double{median(depths)});
 }
 
 Alignment align_scan(const AlignRequest& request, const Placement& placement,

@@ -10,6 +10,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
+#include "vision/core/median.h"
 #include "vision/core/parallel.h"
 #include "vision/scan/point_index.h"
 
@@ -77,9 +78,7 @@ double estimate_noise(const CloudView& cloud) {
   });
   std::erase_if(residuals, [](double residual) { return residual < 0; });
   if (residuals.size() < kMinPlaces) return kFloor_m;
-  const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
-  std::nth_element(residuals.begin(), middle, residuals.end());
-  return std::max(kFloor_m, *middle);
+  return std::max(kFloor_m, median(residuals));
 }
 
 }  // namespace spool
