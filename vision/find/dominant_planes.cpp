@@ -13,6 +13,7 @@
 
 #include "vision/core/parallel.h"
 #include "vision/scan/point_index.h"
+#include "vision/scan/point_spacing.h"
 #include "vision/scan/thinning.h"
 
 namespace spool {
@@ -27,22 +28,6 @@ struct Patches {
   float cell = 0;  // m
 };
 
-// As far apart as the points are where the scan is sparser than the cells: the median distance to
-// the fourth neighbour (m).
-float spacing(const std::vector<Eigen::Vector3f>& points, const PointIndex& index, float most) {
-  std::vector<float> fourth;
-  std::vector<Neighbour> near;
-  const std::size_t step = points.size() / 500 + 1;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    index.nearest_k(points[i], 5, most, near);
-    fourth.push_back(near.size() == 5 ? near.back().distance : most);
-  }
-  if (fourth.empty()) return 0;
-  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
-  std::nth_element(fourth.begin(), middle, fourth.end());
-  return *middle;
-}
-
 // The scan thinned to a size at which floor and walls are plain, with normals.
 Patches patches_of(std::span<const Eigen::Vector3f> points, double size_m, const Watch& watch) {
   Patches patches;
@@ -53,7 +38,10 @@ Patches patches_of(std::span<const Eigen::Vector3f> points, double size_m, const
   }
   patches.normals.assign(patches.points.size(), Eigen::Vector3f::Zero());
   const PointIndex index(patches.points);
-  patches.cell = std::max(patches.cell, spacing(patches.points, index, 8 * patches.cell));
+  // As far apart as the points are where the scan is sparser than the cells.
+  patches.cell = std::max(
+      patches.cell,
+      point_spacing(index, patches.points, patches.points.size() / 500 + 1, 8 * patches.cell));
   parallel_chunks(patches.points.size(), 1024, [&](std::size_t begin, std::size_t end) {
     if (watch.cancelled()) return;
     std::vector<Neighbour> near;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "vision/scan/point_spacing.h"
 #include "vision/scan/thinning.h"
 
 namespace spool {
@@ -12,22 +13,6 @@ namespace {
 
 constexpr std::size_t kMostPoints = 1'500'000;  // more are thinned first: memory stays bounded
 constexpr std::size_t kSpacingPlaces = 500;
-
-// As far apart as the points are where they are off floor and walls: the median distance to the
-// fourth neighbour (m).
-double spacing_m(const std::vector<Eigen::Vector3f>& points, const PointIndex& index, double most) {
-  std::vector<float> fourth;
-  std::vector<Neighbour> near;
-  const std::size_t step = std::max<std::size_t>(1, points.size() / kSpacingPlaces);
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    index.nearest_k(points[i], 5, static_cast<float>(most), near);
-    fourth.push_back(near.size() == 5 ? near.back().distance : static_cast<float>(most));
-  }
-  if (fourth.empty()) return 0;
-  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
-  std::nth_element(fourth.begin(), middle, fourth.end());
-  return double{*middle};
-}
 
 std::vector<Eigen::Vector3f> finite_of(std::span<const Eigen::Vector3f> scan) {
   std::vector<Eigen::Vector3f> finite;
@@ -67,8 +52,9 @@ FindScene::FindScene(const FinderModel& model, std::span<const Eigen::Vector3f> 
   index_ = PointIndex(points_);
   // Near is what a pair's pose may be off by, and what a sparse scan leaves between its points.
   const double rough = model.rough_m();
-  occupancy_ =
-      Occupancy(points_, std::clamp(0.8 * spacing_m(points_, index_, 4 * rough), rough, 2 * rough));
+  const std::size_t step = std::max<std::size_t>(1, points_.size() / kSpacingPlaces);
+  const float spacing = point_spacing(index_, points_, step, static_cast<float>(4 * rough));
+  occupancy_ = Occupancy(points_, std::clamp(0.8 * double{spacing}, rough, 2 * rough));
 }
 
 const std::vector<Element>& FindScene::elements(std::size_t level, const Watch& watch) {

@@ -10,6 +10,8 @@
 #include <Eigen/Geometry>
 
 #include "vision/align/weak_directions.h"
+#include "vision/core/median.h"
+#include "vision/scan/point_spacing.h"
 
 namespace spool {
 namespace {
@@ -22,16 +24,10 @@ constexpr double kSightGate = 0.01;  // of the size: a pose that was refined is 
 // explained point to its fourth neighbour in the whole scan. Were it the explained points' own
 // distance, a few chance hits far apart would vouch for all between them.
 double spacing_m(const FindScene& scene, const std::vector<std::uint32_t>& on, double most) {
-  std::vector<float> fourth;
-  std::vector<Neighbour> near;
   const std::size_t step = std::max<std::size_t>(1, on.size() / kSpacingPlaces);
-  for (std::size_t i = 0; i < on.size(); i += step) {
-    scene.index().nearest_k(scene.points()[on[i]], 5, static_cast<float>(most), near);
-    fourth.push_back(near.size() == 5 ? near.back().distance : static_cast<float>(most));
-  }
-  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
-  std::nth_element(fourth.begin(), middle, fourth.end());
-  return double{*middle};
+  std::vector<Eigen::Vector3f> some;
+  for (std::size_t i = 0; i < on.size(); i += step) some.push_back(scene.points()[on[i]]);
+  return double{point_spacing(scene.index(), some, 1, static_cast<float>(most))};
 }
 
 // The share of the design's surface that no scan can show.
@@ -97,9 +93,7 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
   evidence.chance = static_cast<double>(round_it) * gate_m / std::max(gate_m, reach - gate_m);
   evidence.free_motions = 6;
   if (on.size() < 8) return evidence;
-  const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), median, distances.end());
-  evidence.scale_m = 1.4826 * double{*median};
+  evidence.scale_m = 1.4826 * double{median(distances)};
   const HeldMotions motions = held_motions(build_normal_equations(matches), matches);
   // What only as many points hold as clutter would put there by chance is not held.
   const double least = 2 * evidence.chance + 3 * std::sqrt(evidence.chance);

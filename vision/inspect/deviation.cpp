@@ -10,6 +10,7 @@
 
 #include "vision/core/parallel.h"
 #include "vision/scan/point_index.h"
+#include "vision/scan/point_spacing.h"
 #include "vision/scan/spatial_order.h"
 
 namespace spool {
@@ -76,17 +77,9 @@ void add_coverage(const CloudView& scan, std::span<const PointClass> classes,
 double vouching_radius(const PointIndex& object, const std::vector<Eigen::Vector3f>& points,
                        double sample_radius) {
   const std::size_t step = points.size() / 2000 + 1;  // two thousand say enough of a median
-  const auto bound = static_cast<float>(10 * sample_radius);
-  std::vector<float> fourth;
-  std::vector<Neighbour> neighbours;
-  for (std::size_t i = 0; i < points.size(); i += step) {
-    object.nearest_k(points[i], 5, bound, neighbours);  // the first is the point itself
-    fourth.push_back(neighbours.size() == 5 ? neighbours.back().distance : bound);
-  }
-  if (fourth.empty()) return sample_radius;
-  const auto middle = fourth.begin() + static_cast<std::ptrdiff_t>(fourth.size() / 2);
-  std::nth_element(fourth.begin(), middle, fourth.end());
-  return std::max(sample_radius, std::min<double>(double{*middle}, 5 * sample_radius));
+  if (points.empty()) return sample_radius;
+  const float spacing = point_spacing(object, points, step, static_cast<float>(10 * sample_radius));
+  return std::max(sample_radius, std::min(double{spacing}, 5 * sample_radius));
 }
 
 Deviations no_deviations(std::size_t scan_points) {
