@@ -87,14 +87,6 @@ double residual_variance(std::span<const Correspondence> matches, double width) 
   return std::max(1e-14, psi2 / (n - 6) / (slope * slope) * (weight / n));
 }
 
-Pose moved(const Pose& T, const Vector6d& step, const Eigen::Vector3d& centre) {
-  Pose motion = pose_from_small(step);
-  motion.translation() += centre - motion.linear() * centre;
-  Pose result = motion * T;
-  result.linear() = Eigen::Quaterniond(result.linear()).normalized().toRotationMatrix();
-  return result;
-}
-
 // Root mean square displacement (m) that the step gives the correspondences.
 double displacement(const NormalEquations& equations, const Vector6d& step) {
   return std::sqrt(std::max(0.0, step.dot(equations.mass * step)));
@@ -172,7 +164,7 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
     motions = held_motions(equations, matches);
     if (result.iterations >= options.max_iterations || equations.weight < 6) break;
     const Vector6d step = solve_held(equations, motions);
-    T = moved(T, step, equations.centre);
+    T = moved_about(equations.centre, step, T);
     margin = margin_for(displacement(equations, step));
     ++result.iterations;
     ++at_level;

@@ -5,6 +5,7 @@
 #include "vision/align/map_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Eigenvalues>
@@ -27,14 +28,6 @@ constexpr std::array<Round, 3> kFar = {
 constexpr std::array<Round, 2> kNear = {{{false, 3, {2, 0.02F, 3}}, {false, 2, {1, 0.01F, 1}}}};
 constexpr Round kLast = {false, 3, {1, 0.0F, 1}};
 
-Pose stepped(const Pose& T, const Vector6d& step, const Eigen::Vector3d& about) {
-  Pose motion = pose_from_small(step);
-  motion.translation() += about - motion.linear() * about;
-  Pose result = motion * T;
-  result.linear() = Eigen::Quaterniond(result.linear()).normalized().toRotationMatrix();
-  return result;
-}
-
 void run(const Round& round, const FrameSamples& frame, const MapViews& views, Pose& T) {
   const MapView& view = round.coarse ? views.coarse : views.fine;
   for (int i = 0; i < round.times; ++i) {
@@ -42,7 +35,7 @@ void run(const Round& round, const FrameSamples& frame, const MapViews& views, P
     const NormalEquations equations = build_normal_equations(matches);
     if (equations.weight <= 0) return;
     const Vector6d step = solve_held(equations, held_motions(equations, matches));
-    T = stepped(T, step, view.T_map_view().translation() + equations.centre);
+    T = moved_about(view.T_map_view().translation() + equations.centre, step, T);
     const double moved = std::sqrt(std::max(0.0, step.dot(equations.mass * step)));
     if (moved < 2e-5) return;  // m: a hundredth of the noise
   }

@@ -194,6 +194,14 @@ Vector6d solve_held(const NormalEquations& equations, const HeldMotions& motions
   return step;
 }
 
+Pose moved_about(const Eigen::Vector3d& centre, const Vector6d& step, const Pose& T) {
+  Pose motion = pose_from_small(step);
+  motion.translation() += centre - motion.linear() * centre;
+  Pose result = motion * T;
+  result.linear() = Eigen::Quaterniond(result.linear()).normalized().toRotationMatrix();
+  return result;
+}
+
 Matrix6d motion_covariance(const NormalEquations& equations, const HeldMotions& motions,
                            double variance) {
   Matrix6d at_centre = Matrix6d::Zero();

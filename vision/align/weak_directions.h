@@ -66,6 +66,9 @@ struct HeldMotions {
 // The step that solves the equations in the held motions and leaves the weak ones alone.
 [[nodiscard]] Vector6d solve_held(const NormalEquations& equations, const HeldMotions& motions);
 
+// T followed by the small motion `step` about a centre (m, in T's target frame), a rotation still.
+[[nodiscard]] Pose moved_about(const Eigen::Vector3d& centre, const Vector6d& step, const Pose& T);
+
 // Covariance (m, rad) at the design origin for residuals of `variance` (m^2) at unit weight; along
 // weak motions the correspondences' RMS displacement is unknown to 10 m.
 [[nodiscard]] Matrix6d motion_covariance(const NormalEquations& equations,
