@@ -12,10 +12,12 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "vision/fit/plane.h"
+
 namespace spool {
 namespace {
 
-constexpr std::size_t kMostPoints = 40000;  // looked at, evenly taken
+constexpr std::size_t kMostPoints = 15000;  // looked at, evenly taken
 constexpr int kDirections = 120;
 constexpr double kCone = 0.45;         // rad, round `down`
 constexpr double kMostBehind = 0.002;  // of the points: strays
@@ -101,14 +103,11 @@ std::vector<Eigen::Vector3f> points_on(const std::vector<Eigen::Vector3f>& point
 
 // Least squares through what lies on it, its normal still up.
 void fit(const std::vector<Eigen::Vector3f>& on, DominantPlane& plane) {
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-  for (const Eigen::Vector3f& p : on) mean += p / static_cast<float>(on.size());
-  Eigen::Matrix3f scatter = Eigen::Matrix3f::Zero();
-  for (const Eigen::Vector3f& p : on) scatter.noalias() += (p - mean) * (p - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> axes(scatter);
-  const Eigen::Vector3f normal = axes.eigenvectors().col(0);
+  const PlaneFit fitted = fit_plane(on);
+  if (!fitted.is_determined) return;
+  const Eigen::Vector3f normal = fitted.normal().cast<float>();
   plane.normal = normal.dot(plane.normal) < 0 ? Eigen::Vector3f(-normal) : normal;
-  plane.offset = plane.normal.dot(mean);
+  plane.offset = plane.normal.dot(fitted.centre().cast<float>());
 }
 
 bool has_nothing_behind(const std::vector<Eigen::Vector3f>& points, const DominantPlane& plane,

@@ -95,17 +95,16 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
   // As dense as the spool's own points, and no denser than noise lets be told.
   const double step = kJoined * vouching_radius(object, object_points, 5 * scan.noise_m);
   Growth growth(scan, step, watch);
-  std::vector<Eigen::Vector3f> all(object_points);
-  all.insert(all.end(), scan.left.begin(), scan.left.end());
-  const double size_m = design.bounds().diagonal().norm();
   // Where the floor is not in the scan: what ends where other things end.
   const auto stands_on_ground = [&](const std::vector<std::uint32_t>& points,
                                     const Eigen::Vector3f& first, const Eigen::Vector3f& last) {
-    std::vector<Eigen::Vector3f> others;
+    std::vector<Eigen::Vector3f> all(object_points), others;
+    all.insert(all.end(), scan.left.begin(), scan.left.end());
     for (std::uint32_t k = 0; k < scan.left.size(); ++k)
       if (!std::binary_search(points.begin(), points.end(), k)) others.push_back(scan.left[k]);
     const double band = step + 3 * scan.noise_m;
-    const auto floor = ground(all, others, (last - first).normalized(), size_m, band);
+    const auto floor =
+        ground(all, others, (last - first).normalized(), design.bounds().diagonal().norm(), band);
     return floor && double{floor->distance(last)} < 2 * band;
   };
   for (std::uint32_t i = 0; i < scan.left.size() && !watch.cancelled(); ++i) {
@@ -137,8 +136,8 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
     it.part = most->first;
     if (it.reach_m < kLeastReach || it.reach_m >= kFarthest ||
         is_a_stand(nearest_joined, farthest, it.reach_m, scan.planes) ||
-        stands_on_ground(*points, nearest_joined, farthest) ||
-        design.parts[static_cast<std::size_t>(it.part)].kind == PartKind::kSupport)
+        design.parts[static_cast<std::size_t>(it.part)].kind == PartKind::kSupport ||
+        stands_on_ground(*points, nearest_joined, farthest))
       continue;
     it.points = std::move(*points);
     found.push_back(std::move(it));
