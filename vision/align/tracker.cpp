@@ -25,6 +25,8 @@ constexpr std::size_t kFewest = 200;  // samples to say anything by
 constexpr std::size_t kViewsToTry = 12;
 constexpr double kCoverage95 = 2;  // standard uncertainties
 
+constexpr const char* kLostReason = "Lost: hold still and look where it was last seen.";
+
 double largest_sigma(const Matrix6d& covariance, int first) {
   const Eigen::Matrix3d block = first == 0 ? Eigen::Matrix3d(covariance.topLeftCorner<3, 3>())
                                            : Eigen::Matrix3d(covariance.bottomRightCorner<3, 3>());
@@ -150,15 +152,16 @@ void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) {
   tracked.weak_directions = fit.weak_directions;
   if (fit.share_high < kMajority) {
     tracked.quality = PoseQuality::kLost;
-    tracked.reason = "Lost: hold still and look where it was last seen.";
+    tracked.reason = kLostReason;
     return;
   }
   tracked.quality = PoseQuality::kPoor;
+  const bool is_sharp = kCoverage95 * largest_sigma(tracked.covariance, 0) <= options.good_m &&
+                        kCoverage95 * largest_sigma(tracked.covariance, 3) <= options.good_rad;
   if (!fit.weak_directions.empty()) {
     tracked.reason =
         "Unsure: it may be " + fit.weak_directions.front().text + "; look where more is seen.";
-  } else if (kCoverage95 * largest_sigma(tracked.covariance, 0) > options.good_m ||
-             kCoverage95 * largest_sigma(tracked.covariance, 3) > options.good_rad) {
+  } else if (!is_sharp) {
     tracked.reason = "Unsure: move closer, or look where more is seen.";
   } else if (fit.share_low < kMajority) {
     tracked.reason = "Unsure: much of what is seen is not where it was.";
@@ -167,10 +170,7 @@ void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) {
   }
   // Where the pose is held and likelier right than not, what is new has to get into the map, or a
   // camera that moves on leaves behind all that it knows.
-  may_fuse = tracked.quality == PoseQuality::kGood ||
-             (fit.weak_directions.empty() && fit.share >= kMajority &&
-              kCoverage95 * largest_sigma(tracked.covariance, 0) <= options.good_m &&
-              kCoverage95 * largest_sigma(tracked.covariance, 3) <= options.good_rad);
+  may_fuse = fit.weak_directions.empty() && is_sharp && fit.share >= kMajority;
 }
 
 // The fit's pose and covariance, the motion since the last frame standing in where it holds
@@ -217,7 +217,7 @@ void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,
     best = found;
   }
   if (best->share_high < kMajority) {
-    tracked.reason = "Lost: hold still and look where it was last seen.";
+    tracked.reason = kLostReason;
     return;
   }
   // Once more in the view from there: what is seen from there and not from the guess may
@@ -225,7 +225,7 @@ void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,
   const MapFit again = fit_to_map(samples, MapViews::from(map, frame.camera, best->T_map_camera),
                                   best->T_map_camera, true);
   if (again.share_low < kMajority || !again.weak_directions.empty()) {
-    tracked.reason = "Lost: hold still and look where it was last seen.";
+    tracked.reason = kLostReason;
     return;
   }
   is_lost = false;
@@ -296,7 +296,7 @@ TrackedPose Tracker::track(const SeenFrame& frame) {
   } else if (self.unconfirmed == 0 && self.may_fuse) {
     self.fuse(frame, added(self.map_drift, tracked.covariance), tracked);
   }
-  if (tracked.quality != PoseQuality::kLost) self.state_drift(tracked);
+  self.state_drift(tracked);
   clock.mark("fuse");
   return tracked;
 }

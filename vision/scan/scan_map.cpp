@@ -4,6 +4,7 @@
 #include "vision/scan/scan_map.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cassert>
 #include <cmath>
@@ -80,6 +81,8 @@ void take_in(const CellReading& reading, float most_count, MapCell& cell) {
   cell.count = std::min(cell.count + 1, most_count);
 }
 
+float most_against(const MapCell& cell) { return kStartAgainst + kAgainstPerCount * cell.count; }
+
 struct Counts {
   std::size_t agreed = 0, through = 0, restarted = 0;
   Counts& operator+=(const Counts& o) {
@@ -105,6 +108,26 @@ ScanMap::ScanMap(const ScanMapOptions& options)
   assert(!validate(options) && "options that make sense");
 }
 
+struct ScanMap::Look {
+  const SeenFrame& frame;
+  ReadingNoise noise;
+  MapReader reader;
+  Levels levels;
+  Explained explained;
+  Eigen::Matrix3f R_map_camera;
+  Eigen::Vector3f t_map_camera;
+  std::vector<std::size_t> in_view = {};  // blocks
+
+  Look(const SeenFrame& of, const Pose& T_map_camera, double cell_m)
+      : frame(of),
+        noise(of.noise, of.camera),
+        reader(of, noise, T_map_camera),
+        levels(of, cell_m),
+        explained(of.camera.width, of.camera.height),
+        R_map_camera(T_map_camera.linear().cast<float>()),
+        t_map_camera(T_map_camera.translation().cast<float>()) {}
+};
+
 FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, const Drift& drift) {
   assert(frame.is_usable() && "an organised cloud with normals and its camera");
   FuseReport report;
@@ -115,23 +138,27 @@ FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, const
   }
   if (!report.parked) T_map_anchor_ = T_map_camera;
 
-  const ReadingNoise noise(frame.noise, frame.camera);
-  const MapReader reader(frame, noise, T_map_camera);
-  const Levels levels(frame, options_.cell_m);
-  const auto focal = static_cast<float>(std::min(frame.camera.fx, frame.camera.fy));
-  Explained explained(frame.camera.width, frame.camera.height);
-
-  std::vector<std::size_t> in_view;
+  Look look(frame, T_map_camera, options_.cell_m);
   for (std::size_t i = 0; i < blocks_.blocks().size(); ++i) {
     MapBlock& block = blocks_.blocks()[i];
-    if (block.voxel <= 0 || !reader.may_see(block.box)) continue;
+    if (block.voxel <= 0 || !look.reader.may_see(block.box)) continue;
     block.seen_s = frame.seconds;
-    in_view.push_back(i);
+    look.in_view.push_back(i);
   }
+  correct_cells(look, report);
+  drop_faded(look, report);
+  start_cells(look, drift, report);
+  blocks_.shrink_to(options_.most_cells);
+  if (report.removed > 0) blocks_.sweep();
+  return report;
+}
 
+// Each cell in view by the reading that it is seen at.
+void ScanMap::correct_cells(Look& look, FuseReport& report) {
+  const SeenFrame& frame = look.frame;
+  const auto focal = static_cast<float>(std::min(frame.camera.fx, frame.camera.fy));
   const auto look_at = [&](MapCell& cell, Counts& counts) {
-    const CellReading reading = reader.read(cell);
-    const float limit = kStartAgainst + kAgainstPerCount * cell.count;
+    const CellReading reading = look.reader.read(cell);
     if (reading.sight == CellSight::kThrough) {
       ++counts.through;
       cell.against += 1;
@@ -139,15 +166,15 @@ FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, const
     if (reading.sight != CellSight::kAgrees) return;
     ++counts.agreed;
     cell.seen_s = frame.seconds;
-    const int wanted = levels.at(reading.z);
+    const int wanted = look.levels.at(reading.z);
     if (cell.size > std::ldexp(blocks_.cell_m(), wanted + 1) * 0.9F) {
       // A near look makes finer cells; the coarse one goes once they have settled.
-      cell.against += limit / (4 * options_.settled_count);
+      cell.against += most_against(cell) / (4 * options_.settled_count);
       return;
     }
     cell.against *= kForgive;
-    explained.mark(reading.u, reading.v,
-                   std::max(1, static_cast<int>(0.5F * cell.size * focal / reading.z)));
+    look.explained.mark(reading.u, reading.v,
+                        std::max(1, static_cast<int>(0.5F * cell.size * focal / reading.z)));
     const float sigma = std::sqrt(reading.variance + cell.variance());
     cell.bias += kRecent * (reading.residual / sigma - cell.bias);
     if (std::abs(cell.bias) > kMoved) {
@@ -161,53 +188,53 @@ FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, const
   };
   constexpr std::size_t kGrain = 16;  // blocks, some thousand cells
   const Counts counts =
-      parallel_sum(in_view.size(), kGrain, Counts{}, [&](std::size_t begin, std::size_t end) {
+      parallel_sum(look.in_view.size(), kGrain, Counts{}, [&](std::size_t begin, std::size_t end) {
         Counts part;
         for (std::size_t i = begin; i < end; ++i)
-          for (MapCell& cell : blocks_.blocks()[in_view[i]].cells) look_at(cell, part);
+          for (MapCell& cell : blocks_.blocks()[look.in_view[i]].cells) look_at(cell, part);
         return part;
       });
   report.agreed = counts.agreed;
   report.through = counts.through;
   report.restarted = counts.restarted;
+}
 
-  // What was looked through too often goes, and what was seen once or twice and then no more.
+// What was looked through too often goes, and what was seen once or twice and then no more.
+void ScanMap::drop_faded(const Look& look, FuseReport& report) {
   const std::size_t before = blocks_.cell_count();
-  for (const std::size_t i : in_view)
+  for (const std::size_t i : look.in_view)
     blocks_.drop(i, [&](const MapCell& cell) {
-      const bool passed =
-          cell.count < options_.settled_count && frame.seconds - cell.seen_s > options_.unsettled_s;
-      return passed || cell.against > kStartAgainst + kAgainstPerCount * cell.count;
+      const bool passed = cell.count < options_.settled_count &&
+                          look.frame.seconds - cell.seen_s > options_.unsettled_s;
+      return passed || cell.against > most_against(cell);
     });
   report.removed = before - blocks_.cell_count();
+}
 
-  // New cells where the map explains nothing: a few pixels of each, others every frame.
+// New cells where the map explains nothing: a few pixels of each, others every frame.
+void ScanMap::start_cells(const Look& look, const Drift& drift, FuseReport& report) {
+  const SeenFrame& frame = look.frame;
   const int stride = std::max(1, frame.camera.width / 160);
   const int start = static_cast<int>(frames_ % static_cast<std::size_t>(stride));
-  const Eigen::Matrix3f R = T_map_camera.linear().cast<float>();
-  const Eigen::Vector3f t = T_map_camera.translation().cast<float>();
   for (int v = start; v < frame.camera.height; v += stride)
     for (int u = start; u < frame.camera.width; u += stride) {
       const auto pixel = static_cast<std::size_t>(v * frame.camera.width + u);
       const Eigen::Vector3f& point = frame.cloud.points[pixel];
       const Eigen::Vector3f& normal = frame.cloud.normals[pixel];
-      if (!(point.z() > 0) || normal.isZero() || explained.at(pixel)) continue;
+      if (!(point.z() > 0) || normal.isZero() || look.explained.at(pixel)) continue;
       const float facing = -normal.dot(point) / point.norm();
       if (facing < kSteepest) continue;
       MapCell cell;
-      cell.mean = R * point + t;
-      cell.normal = R * normal;
-      const float variance = noise.variance(point.z(), facing);
+      cell.mean = look.R_map_camera * point + look.t_map_camera;
+      cell.normal = look.R_map_camera * normal;
+      const float variance = look.noise.variance(point.z(), facing);
       cell.weight = 1.0F / variance;
       cell.covariance = variance * cell.normal * cell.normal.transpose();
       cell.count = 1;
       cell.drift = drift;
       cell.seen_s = frame.seconds;
-      report.added += blocks_.add(cell, levels.at(point.z())) ? 1U : 0U;
+      report.added += blocks_.add(cell, look.levels.at(point.z())) ? 1U : 0U;
     }
-  blocks_.shrink_to(options_.most_cells);
-  if (report.removed > 0) blocks_.sweep();
-  return report;
 }
 
 PointCloud ScanMap::cloud() const {

@@ -65,6 +65,11 @@ class ScanMap {
   void clear();
 
  private:
+  struct Look;  // what one frame is read by
+  void correct_cells(Look& look, FuseReport& report);
+  void drop_faded(const Look& look, FuseReport& report);
+  void start_cells(const Look& look, const Drift& drift, FuseReport& report);
+
   ScanMapOptions options_;
   MapBlocks blocks_;
   std::size_t frames_ = 0;
