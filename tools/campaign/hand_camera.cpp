@@ -118,6 +118,15 @@ double axial_noise(double z, double incidence) {
          (theta > 60 * kDegree ? 0.0001 / std::sqrt(z) * grazing * grazing : 0);
 }
 
+Pose looking(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  Pose pose = Pose::Identity();
+  pose.translation() = from;
+  pose.linear().col(2) = (to - from).normalized();
+  pose.linear().col(0) = pose.linear().col(2).cross(Eigen::Vector3d::UnitZ()).normalized();
+  pose.linear().col(1) = pose.linear().col(2).cross(pose.linear().col(0));
+  return pose;
+}
+
 std::vector<Reading> read_frame(const RayWorld& world, const RayWorld* moving,
                                 const HandheldSettings& settings, const Pose& T_scan_camera,
                                 std::uint32_t seed, int frame) {

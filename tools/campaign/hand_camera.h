@@ -28,6 +28,9 @@ struct HandheldSettings {
   }
 };
 
+// The camera at `from` that looks at `to`, its x level; not straight up or down.
+[[nodiscard]] Pose looking(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
 // What one pixel measured.
 struct Reading {
   double z = 0;                    // m along the optical axis, in disparity steps; 0: nothing

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/campaign/hand_camera.h"
 #include "tools/campaign/random.h"
 
 namespace spool::campaign {
@@ -15,15 +16,6 @@ namespace {
 using Eigen::Vector3d;
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kSteps = 720;  // of the way
-
-Pose looking(const Vector3d& from, const Vector3d& to) {
-  Pose pose = Pose::Identity();
-  pose.translation() = from;
-  pose.linear().col(2) = (to - from).normalized();
-  pose.linear().col(0) = pose.linear().col(2).cross(Vector3d::UnitZ()).normalized();
-  pose.linear().col(1) = pose.linear().col(2).cross(pose.linear().col(0));
-  return pose;
-}
 
 }  // namespace
 

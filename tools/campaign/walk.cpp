@@ -31,16 +31,6 @@ std::vector<Vector3d> points_round(const RayWorld& world, const Vector3d& middle
   return points;
 }
 
-Pose looking(const Vector3d& from, const Vector3d& to, double roll) {
-  Pose pose = Pose::Identity();
-  pose.translation() = from;
-  pose.linear().col(2) = (to - from).normalized();
-  pose.linear().col(0) = pose.linear().col(2).cross(Vector3d::UnitZ()).normalized();
-  pose.linear().col(1) = pose.linear().col(2).cross(pose.linear().col(0));
-  pose.rotate(Eigen::AngleAxisd(roll, Vector3d::UnitZ()));
-  return pose;
-}
-
 }  // namespace
 
 std::vector<Pose> walk_round(const RayWorld& world, const HandheldSettings& settings,
@@ -75,7 +65,8 @@ std::vector<Pose> walk_round(const RayWorld& world, const HandheldSettings& sett
       const Vector3d start = target + 0.05 * (eye - target).normalized();
       if (elevation >= 1.5 || (eye.z() > 0.2 && !world.blocked(eye, start))) break;
     }
-    poses.push_back(looking(eye, target, 0.1 * random.normal()));
+    poses.push_back(looking(eye, target));
+    poses.back().rotate(Eigen::AngleAxisd(0.1 * random.normal(), Vector3d::UnitZ()));
   }
   return poses;
 }
