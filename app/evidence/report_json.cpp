@@ -126,10 +126,9 @@ json part_json(const Part& part, const PartFinding& finding) {
 
 std::string decision_rule() {
   return "No dimension is compared with a tolerance. A part at a joint that is turned, of the "
-         "wrong "
-         "length or exchanged is not_ok; a part of which enough was seen, or on which steel too "
-         "many "
-         "sits, is suspicious; one of which too little was seen is not_measured; nothing is ok.";
+         "wrong length or exchanged is not_ok; a part of which enough was seen, or on which steel "
+         "too many sits, is suspicious; one of which too little was seen is not_measured; nothing "
+         "is ok.";
 }
 
 std::string report_json(const InspectionRecord& record) {
