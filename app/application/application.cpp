@@ -113,6 +113,8 @@ std::optional<double> Application::advance() {
     }
   }
   if (state_->is_tracked()) last_tracked_ = state_;
+  if (state_->was_moved) notice("The spool was moved: aligned again where it lies now.");
+  look_for_moved_spool();
   return std::max(0.0, state_->frame->seconds - before);
 }
 

@@ -102,7 +102,7 @@ class Application {
   void pick(const ui::Gesture& gesture, double slop_px);
   void start_align();
   void finish_align();
-  void ask_for_alignment(const Pose& T_design_camera, AlignMethod method);
+  void ask_for_alignment(VisionStatePtr on, const Pose& T_design_camera, AlignMethod method);
   void leave_align();
   [[nodiscard]] std::vector<double> landmark_evidence(std::span<const PointPair> pairs) const;
   void hold_picture();
@@ -117,6 +117,8 @@ class Application {
   void start_find();
   void stop_find();
   void take_find();
+  void look_for_moved_spool();
+  void take_moved_spool();
   void show_next_choice();
   void accept_choice();
   void align_as_found(const VisionState& found);
@@ -147,7 +149,9 @@ class Application {
   VisionStatePtr state_;         // the newest
   VisionStatePtr held_;          // picks are being made on this one
   VisionStatePtr last_tracked_;  // the newest with a believed pose
-  VisionStatePtr still_of_;      // the last good view that the picture holds; none: none
+  VisionStatePtr moved_search_;  // the picture that a moved spool is looked for in; none: it is not
+  double no_search_before_s_ = 0;
+  VisionStatePtr still_of_;  // the last good view that the picture holds; none: none
   ui::Screen screen_ = ui::Screen::kAlign;
   bool aligned_ = false;
   std::uint64_t alignments_asked_ = 0;

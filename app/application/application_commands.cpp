@@ -98,7 +98,8 @@ void Application::handle(const ui::Command& command) {
       feed_ = std::move(*feed);
       ended_ = aligned_ = awaiting_alignment_ = false;
       alignments_asked_ = 0;
-      state_ = held_ = nullptr;
+      state_ = held_ = moved_search_ = nullptr;
+      no_search_before_s_ = 0;
       start_align();
       break;
     }
@@ -145,6 +146,7 @@ void Application::tap(const ui::Gesture& gesture) {
   const bool was_searching = find_.is_running();
   finder_.cancel();
   find_.cancel();
+  moved_search_.reset();
   pick(gesture, slop);
   if (was_searching && !picks_.can_undo()) release_picture();
 }
@@ -195,26 +197,25 @@ void Application::hold_picture() {
   if (held_) return;
   held_ = state_;
   feed_->pause(true);
-  feed_->command({VisionCommand::Kind::kHold, held_, Pose::Identity()});
 }
 
 void Application::release_picture() {
   if (!held_) return;
   held_.reset();
-  feed_->command({VisionCommand::Kind::kRelease, nullptr, Pose::Identity()});
   feed_->pause(false);
 }
 
 void Application::finish_align() {
   if (picks_.result().status != PairsStatus::kOk || !held_ || awaiting_alignment_) return;
-  ask_for_alignment(picks_.result().T_design_scan, AlignMethod::kThreePoint);
+  ask_for_alignment(held_, picks_.result().T_design_scan, AlignMethod::kThreePoint);
 }
 
-void Application::ask_for_alignment(const Pose& T_design_camera, AlignMethod method) {
+void Application::ask_for_alignment(VisionStatePtr on, const Pose& T_design_camera,
+                                    AlignMethod method) {
   awaiting_alignment_ = true;
   asked_by_ = method;
   ++alignments_asked_;
-  feed_->command({VisionCommand::Kind::kAlign, held_, T_design_camera});
+  feed_->command({VisionCommand::Kind::kAlign, std::move(on), T_design_camera});
 }
 
 // The pose was believed: on with the work.
@@ -225,6 +226,8 @@ void Application::leave_align() {
   held_.reset();
   detached_ = false;
   feed_->pause(false);
+  // A spool that is moved is looked for without delay; who waits for jobs need not wait for this.
+  if (!in_.wait_for_jobs) finder_.warm_up();
 }
 
 void Application::start_check(bool final) {

@@ -10,6 +10,10 @@
 
 namespace spool {
 
+namespace {
+constexpr double kSearchAgainSeconds = 2;  // after a moved spool was not found
+}  // namespace
+
 bool Application::can_find() const {
   return state_ && !awaiting_alignment_ && !unplugged_ && !failure_;
 }
@@ -17,6 +21,7 @@ bool Application::can_find() const {
 void Application::start_find() {
   if (!can_find()) return;
   stop_find();  // a second press begins anew, on the newest picture
+  moved_search_.reset();
   start_align();
   hold_picture();
   find_.start();
@@ -32,8 +37,30 @@ void Application::stop_find() {
   release_picture();
 }
 
+// The spool is not where it was: looked for everywhere, beside the work, while the camera goes on.
+void Application::look_for_moved_spool() {
+  if (!state_ || !state_->is_gone || screen_ != ui::Screen::kWork || moved_search_ || !can_find() ||
+      state_->frame->seconds < no_search_before_s_)
+    return;
+  moved_search_ = state_;
+  finder_.start(state_);
+}
+
+// Aligned with, without a tap, where the picture leaves no choice; else looked for again in a
+// while.
+void Application::take_moved_spool() {
+  const std::optional<FindAnswer> answer = finder_.take();
+  if (!answer) return;
+  const VisionStatePtr searched = std::exchange(moved_search_, nullptr);
+  no_search_before_s_ = searched->frame->seconds + kSearchAgainSeconds;
+  if (screen_ != ui::Screen::kWork || awaiting_alignment_ || answer->poses.size() != 1) return;
+  ask_for_alignment(searched, answer->poses.front()->T_design_camera, AlignMethod::kFind);
+  notice("The spool was moved: aligned again where it lies now.");
+}
+
 void Application::take_find() {
   if (in_.wait_for_jobs) finder_.wait();
+  if (moved_search_) take_moved_spool();
   if (!find_.is_running()) return;
   if (const auto progress = finder_.progress()) find_.report(*progress);
   std::optional<FindAnswer> answer = finder_.take();
@@ -62,11 +89,12 @@ void Application::accept_choice() {
 
 // As three picks do.
 void Application::align_as_found(const VisionState& found) {
-  ask_for_alignment(found.T_design_camera, AlignMethod::kFind);
+  ask_for_alignment(held_, found.T_design_camera, AlignMethod::kFind);
 }
 
 // The frame that the search was made on bore the pose out, so this is rare; nothing may hang on it.
 void Application::refuse_found() {
+  start_align();
   find_.fail(
       "What was found does not fit what is seen: hold still, press Find again, or pick three "
       "points.");
@@ -75,6 +103,8 @@ void Application::refuse_found() {
 }
 
 void Application::lose_sensor() {
+  if (moved_search_) finder_.cancel();
+  moved_search_.reset();
   if (!find_.is_running()) return;
   finder_.cancel();
   find_.fail("The sensor went away during the search: press Find when it is back.");

@@ -16,7 +16,10 @@ FindWorker::FindWorker(std::shared_ptr<const PreparedDesign> design, const Camer
                        const NoiseModel& noise)
     : design_(std::move(design)), camera_(camera), noise_(noise) {}
 
-FindWorker::~FindWorker() { cancel(); }
+FindWorker::~FindWorker() {
+  closing_.request_stop();
+  cancel();
+}
 
 void FindWorker::start(VisionStatePtr picture) {
   cancel();
@@ -24,6 +27,14 @@ void FindWorker::start(VisionStatePtr picture) {
   wanted_ = ++searches_;
   thread_.run([this, number = wanted_, picture = std::move(picture), stop = stop_.get_token()] {
     search(number, *picture, stop);
+  });
+}
+
+void FindWorker::warm_up() {
+  if (is_warm_) return;
+  is_warm_ = true;
+  thread_.run([this, stop = closing_.get_token()] {
+    static_cast<void>(ready_finder(Watch{stop, {}}));
   });
 }
 

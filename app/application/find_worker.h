@@ -34,6 +34,8 @@ class FindWorker {
   // Cancels a search that still runs. The first one prepares the design besides, which takes about
   // a second once.
   void start(VisionStatePtr picture);
+  // Prepares the design, so that the first search need not.
+  void warm_up();
   void cancel();  // returns at once; the thread is free again within 100 ms
   [[nodiscard]] std::optional<FindProgress> progress();  // the newest since the last call
   [[nodiscard]] std::optional<FindAnswer> take();
@@ -54,6 +56,8 @@ class FindWorker {
   NoiseModel noise_;
   std::unique_ptr<const FinderModel> finder_;  // the search's thread only
   std::stop_source stop_;                      // of the newest search
+  std::stop_source closing_;                   // of a preparation ahead of the first one
+  bool is_warm_ = false;
   std::uint64_t searches_ = 0;
   std::uint64_t wanted_ = 0;  // the search whose answer is awaited; 0: none
   Mailbox<Numbered<FindProgress>> progress_;

@@ -27,6 +27,7 @@ struct Arguments {
   std::string design, recording;
   std::size_t frames = 300;
   int runs = 5;
+  bool each = false;
 };
 
 // A recording in memory and where its frames were really seen from.
@@ -100,13 +101,13 @@ double percentile(std::vector<double> values, double share) {
 struct Run {
   std::vector<double> wall_s, cpu_s;  // of process(), one a frame
   std::map<std::string, std::vector<double>> stage_s;
-  std::map<std::string, int> qualities;                    // how many frames ended so
-  std::size_t points = 0;                                  // of the last frame, thinned
-  double worst_translation_m = 0, worst_rotation_rad = 0;  // of the tracked frames, against truth
+  std::map<std::string, int> qualities;  // how many frames ended so
+  std::size_t points = 0;                // of the last frame, thinned
+  std::vector<double> off_m, off_rad;    // of the tracked frames, against truth
 };
 
 Result<Run> walk(const std::shared_ptr<const PreparedDesign>& design, const Sequence& sequence,
-                 std::size_t count) {
+                 std::size_t count, bool each) {
   FrameProcessor vision(design, sequence.camera, NoiseModel{});
   const auto first = vision.process(sequence.frames.front());
   if (!first) return first.error();
@@ -132,8 +133,14 @@ Result<Run> walk(const std::shared_ptr<const PreparedDesign>& design, const Sequ
     if (!(*state)->is_tracked()) continue;
     const PoseSize off =
         pose_size(sequence.T_design_camera[at].inverse() * (*state)->T_design_camera);
-    run.worst_translation_m = std::max(run.worst_translation_m, off.translation_m);
-    run.worst_rotation_rad = std::max(run.worst_rotation_rad, off.rotation_rad);
+    run.off_m.push_back(off.translation_m);
+    run.off_rad.push_back(off.rotation_rad);
+    if (each)
+      std::printf("  %4zu %-4s off %5.2f mm %6.3f deg, U %5.2f mm %6.3f deg, seen %.2f; %s\n", n,
+                  std::string(name((*state)->quality)).c_str(), 1e3 * off.translation_m,
+                  off.rotation_rad * 180 / std::numbers::pi, 1e3 * (*state)->pose_u_m,
+                  (*state)->pose_u_rad * 180 / std::numbers::pi, (*state)->agreement,
+                  (*state)->hint.c_str());
   }
   return run;
 }
@@ -152,8 +159,13 @@ void print(const Run& run, const Camera& camera) {
   for (const auto& [stage, seconds] : run.stage_s) print_times(stage.c_str(), seconds);
   for (const auto& [quality, frames] : run.qualities)
     std::printf("  %s: %d frames\n", quality.c_str(), frames);
-  std::printf("  worst pose: %.2f mm, %.3f deg off the truth\n", 1e3 * run.worst_translation_m,
-              run.worst_rotation_rad * 180 / std::numbers::pi);
+  constexpr double kDegree = std::numbers::pi / 180;
+  std::printf(
+      "  camera in the datum's frame, off the truth: median %.2f mm %.3f deg, p95 %.2f mm %.3f "
+      "deg, worst %.2f mm %.3f deg\n",
+      1e3 * percentile(run.off_m, 0.5), percentile(run.off_rad, 0.5) / kDegree,
+      1e3 * percentile(run.off_m, 0.95), percentile(run.off_rad, 0.95) / kDegree,
+      1e3 * percentile(run.off_m, 1), percentile(run.off_rad, 1) / kDegree);
 }
 
 Result<int> bench(const Arguments& arguments) {
@@ -168,7 +180,7 @@ Result<int> bench(const Arguments& arguments) {
   Run quietest;
   double least = 0;
   for (int n = 0; n < arguments.runs; ++n) {
-    auto run = walk(*design, *sequence, arguments.frames);
+    auto run = walk(*design, *sequence, arguments.frames, arguments.each && n == 0);
     if (!run) return run.error();
     const double p99 = percentile(run->wall_s, 0.99);
     std::printf("run %d: median %.2f ms, p99 %.2f ms\n", n + 1, 1e3 * percentile(run->wall_s, 0.5),
@@ -199,5 +211,6 @@ int main(int argc, char** argv) {
   app.add_option("--runs", arguments.runs, "Runs, of which the quietest is told in full")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  app.add_flag("--each", arguments.each, "A line for each frame of the first run");
   return spool::run_program(app, argc, argv, [&] { return spool::bench(arguments); });
 }

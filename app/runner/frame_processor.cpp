@@ -8,7 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "app/runner/surface_agreement.h"
+#include <Eigen/Eigenvalues>
+
 #include "vision/core/stage_clock.h"
 #include "vision/inspect/facing.h"
 #include "vision/scan/back_projection.h"
@@ -47,22 +48,6 @@ Camera every_nth_pixel(const Camera& camera, int stride) {
   return small;
 }
 
-// At most `limit` of the points that `wanted` takes, spread evenly over the order they stand in.
-template <class Wanted>
-PointCloud some_of(const PointCloud& cloud, std::size_t limit, const Wanted& wanted) {
-  std::vector<std::size_t> taken;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (wanted(cloud.points[i])) taken.push_back(i);
-  }
-  const std::size_t step = std::max<std::size_t>(1, (taken.size() + limit - 1) / limit);
-  PointCloud out;
-  for (std::size_t i = 0; i < taken.size(); i += step) {
-    out.points.push_back(cloud.points[taken[i]]);
-    if (cloud.has_normals()) out.normals.push_back(cloud.normals[taken[i]]);
-  }
-  return out;
-}
-
 // At most `limit` samples of each part, spread evenly over the order they stand in.
 SurfaceSamples some_of_each_part(const SurfaceSamples& samples, std::size_t parts,
                                  std::size_t limit) {
@@ -79,6 +64,22 @@ SurfaceSamples some_of_each_part(const SurfaceSamples& samples, std::size_t part
     }
   }
   return some;
+}
+
+// A pose that only the spool holds is good where so much of what should be seen is, so near.
+constexpr double kGoodAgreement = 0.7;
+constexpr double kGoodNoises = 3;  // the residuals' RMS over the sensor's noise
+
+// Turns a small motion, or its covariance, into other axes.
+Matrix6d turned(const Eigen::Matrix3d& rotation) {
+  Matrix6d both = Matrix6d::Zero();
+  both.topLeftCorner<3, 3>() = both.bottomRightCorner<3, 3>() = rotation;
+  return both;
+}
+
+double largest_sigma(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
 }
 
 }  // namespace
@@ -99,114 +100,153 @@ std::string_view name(TrackQuality quality) {
 struct FrameProcessor::Impl {
   std::shared_ptr<const PreparedDesign> design;
   Camera camera;
+  Camera small;  // of the thinned pictures
   NoiseModel noise;
   FrameProcessorOptions options;
-  Eigen::AlignedBox3d bounds;
   SurfaceSamples coverage_samples;
+  Tracker tracker;
+  LiveAlignment alignment;
   std::uint64_t revision = 0;
-  std::uint64_t alignment = 0;
-  std::string alignment_hint;           // why the last alignment was not believed
-  std::optional<Pose> T_design_camera;  // of the last believed frame
+  std::uint64_t alignments = 0;
+  std::uint64_t map = 0;           // how often the map was begun anew
+  bool scene_holds = false;        // every motion of the camera, in the frame now processed
+  std::string alignment_hint;      // why the last alignment was not believed
+  Pose T_last = Pose::Identity();  // T_design_camera of the last believed frame
 
-  // While picks are made: the held frame as a surface, and the newest frame's pose in it.
-  VisionStatePtr held;
-  std::optional<DesignSurface> held_surface;
-  Pose T_held_camera = Pose::Identity();
+  Impl(std::shared_ptr<const PreparedDesign> of, const Camera& by, const NoiseModel& with,
+       const FrameProcessorOptions& so)
+      : design(std::move(of)),
+        camera(by),
+        small(every_nth_pixel(by, so.stride_px)),
+        noise(with),
+        options(so),
+        coverage_samples(
+            some_of_each_part(design->samples, design->model.parts.size(), so.coverage_samples)),
+        tracker(so.tracker),
+        alignment(design, by, small, with, so.alignment) {}
 
-  [[nodiscard]] std::shared_ptr<VisionState> thin(std::shared_ptr<const DepthFrame> frame,
-                                                  PointCloud organised, const Camera& small);
+  [[nodiscard]] Result<PointCloud> organised(const DepthFrame& frame) const;
+  void follow_camera(const PointCloud& cloud, VisionState& state);
+  void place_design(const PointCloud& cloud, VisionState& state, StageClock& clock);
+  void show(const DesignFit& fit, VisionState& state);
+  void hold_by_spool(const PointCloud& cloud, VisionState& state, StageClock& clock);
+  void grade(VisionState& state) const;
   void measure(VisionState& state) const;
-  void track(VisionState& state, const Pose& guess, const IcpOptions& refinement);
-  [[nodiscard]] IcpOptions frame_to_frame() const;
-  [[nodiscard]] double noise_at(const Pose& T_camera_design) const;
 };
 
 FrameProcessor::FrameProcessor(std::shared_ptr<const PreparedDesign> design, const Camera& camera,
                                const NoiseModel& noise, const FrameProcessorOptions& options)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->bounds = design->model.bounds();
-  impl_->coverage_samples =
-      some_of_each_part(design->samples, design->model.parts.size(), options.coverage_samples);
-  impl_->design = std::move(design);
-  impl_->camera = camera;
-  impl_->noise = noise;
-  impl_->options = options;
-}
+    : impl_(std::make_unique<Impl>(std::move(design), camera, noise, options)) {}
 
 FrameProcessor::~FrameProcessor() = default;
 FrameProcessor::FrameProcessor(FrameProcessor&&) noexcept = default;
 FrameProcessor& FrameProcessor::operator=(FrameProcessor&&) noexcept = default;
 
-std::shared_ptr<VisionState> FrameProcessor::Impl::thin(std::shared_ptr<const DepthFrame> frame,
-                                                        PointCloud organised, const Camera& small) {
-  auto state = std::make_shared<VisionState>();
-  state->revision = ++revision;
-  state->alignment = alignment;
-  state->frame = std::move(frame);
-  state->stride_px = options.stride_px;
-  estimate_organised_normals(organised, small, noise);
-  state->scan = measured_points(organised);
-  return state;
+Result<PointCloud> FrameProcessor::Impl::organised(const DepthFrame& frame) const {
+  Result<PointCloud> cloud = back_project(every_nth_pixel(frame, options.stride_px), small);
+  if (cloud) estimate_organised_normals(*cloud, small, noise);
+  return cloud;
 }
 
-// The sensor's standard deviation at the spool's middle, never under one depth count.
-double FrameProcessor::Impl::noise_at(const Pose& T_camera_design) const {
-  const double z = std::max((T_camera_design * bounds.center()).z(), 0.1);
-  return std::max(noise.axial_m(z), 0.5 * camera.depth_unit_m);
+// Where the camera stands in the scene, and how sure that is.
+void FrameProcessor::Impl::follow_camera(const PointCloud& cloud, VisionState& state) {
+  const bool had_map = !tracker.map().empty();
+  const TrackedPose tracked = tracker.track({cloud, small, noise, state.frame->seconds});
+  state.camera = tracked.quality;
+  state.T_map_camera = tracked.T_map_camera;
+  state.map = map;
+  state.hint = tracked.reason;
+  state.camera_covariance = tracked.covariance;
+  scene_holds = tracked.quality != PoseQuality::kLost && tracked.weak_directions.empty();
+  if (had_map || tracker.map().empty() || !alignment.is_set()) return;
+  // The scene was too plain until now, and the spool alone was followed.
+  const DesignFit fit = alignment.fit(state.scan, *state.frame, T_last);
+  if (fit.is_believed) alignment.set(fit.T_design_camera * state.T_map_camera.inverse());
 }
 
-IcpOptions FrameProcessor::Impl::frame_to_frame() const {
-  return {.max_iterations = options.track_iterations,
-          .start_distance_m = options.track_distance_m,
-          .stop_translation_m = options.track_stop_m,
-          .stop_rotation_rad = options.track_stop_rad};
+void FrameProcessor::Impl::show(const DesignFit& fit, VisionState& state) {
+  state.T_design_camera = fit.T_design_camera;
+  state.rms_m = fit.rms_m;
+  state.agreement = fit.agreement.share();
+  state.point_noise_m = fit.point_noise_m;
+  T_last = fit.T_design_camera;
 }
 
-// Refines `guess` on the state's points and says how far the frame bears it out.
-void FrameProcessor::Impl::track(VisionState& state, const Pose& guess,
-                                 const IcpOptions& refinement) {
-  StageClock clock(state.timing_s);
-  state.point_noise_m = noise_at(guess.inverse());
-  const double margin = options.near_design_m;
-  const Eigen::AlignedBox3f box((bounds.min().array() - margin).matrix().cast<float>(),
-                                (bounds.max().array() + margin).matrix().cast<float>());
-  const Eigen::Isometry3f T_guess = guess.cast<float>();
-  const PointCloud near =
-      some_of(state.scan, options.track_points,
-              [&](const Eigen::Vector3f& point) { return box.contains(T_guess * point); });
-  IcpOptions icp_options = refinement;
-  icp_options.noise_m = state.point_noise_m;
-  const IcpResult icp = refine_icp(near, *design->surface, guess, icp_options);
-  clock.mark("track");
-  // The gate of "seen": three standard deviations of a point, and what the fit leaves over.
-  const double gate = 3.0 * state.point_noise_m + icp.rms_m;
-  const SurfaceAgreement agreement = surface_agreement(
-      design->samples, *design->surface, *state.frame, camera, icp.T_design_scan, gate);
-  clock.mark("agreement");
-  state.agreement = agreement.share();
-  state.rms_m = icp.rms_m;
-  const bool in_sight =
-      agreement.seen >= options.min_samples && agreement.share_in_sight() >= options.min_in_sight;
-  if (!in_sight || state.agreement < options.lost_agreement || icp.correspondences == 0) {
-    state.quality = TrackQuality::kLost;
-    state.hint = in_sight ? "Lost: hold still and look at the spool from where it was last seen."
-                          : "Lost: point the camera at the spool again.";
-    state.T_design_camera = T_design_camera.value_or(guess);
+// What the pose may be off by at the camera: the camera's place in the scene, and the design's.
+void FrameProcessor::Impl::grade(VisionState& state) const {
+  const Eigen::Vector3d& eye = state.T_design_camera.translation();
+  const Matrix6d at_eye = motion_told_at(eye);
+  const Matrix6d to_design = turned(alignment.T_design_map().linear());
+  const Matrix6d covariance = at_eye * alignment.covariance_as_designed() * at_eye.transpose() +
+                              to_design * state.camera_covariance * to_design.transpose();
+  state.pose_u_m = 2 * largest_sigma(covariance.topLeftCorner<3, 3>());
+  state.pose_u_rad = 2 * largest_sigma(covariance.bottomRightCorner<3, 3>());
+  const double good_m = options.tracker.good_m, good_rad = options.tracker.good_rad;
+  const bool is_sharp = state.pose_u_m <= good_m && state.pose_u_rad <= good_rad;
+  const bool is_settled = alignment.is_settled(eye, good_m, good_rad);
+  const bool is_good = state.camera == PoseQuality::kGood && is_sharp && is_settled;
+  state.quality = is_good ? TrackQuality::kGood : TrackQuality::kPoor;
+  if (is_good) {
+    state.hint.clear();
+  } else if (state.hint.empty()) {
+    state.hint = is_sharp ? "Unsure: go on looking for a moment, the drawing settles on the steel."
+                          : "Unsure: look where a flange or an elbow is seen too.";
+  }
+}
+
+void FrameProcessor::Impl::place_design(const PointCloud& cloud, VisionState& state,
+                                        StageClock& clock) {
+  state.T_design_camera = T_last;
+  state.quality = TrackQuality::kLost;
+  if (!scene_holds) {
+    hold_by_spool(cloud, state, clock);
     return;
   }
-  state.T_design_camera = icp.T_design_scan;
-  T_design_camera = icp.T_design_scan;
-  const bool good = state.agreement >= options.good_agreement && icp.weak_directions.empty() &&
-                    icp.rms_m <= options.good_rms_noises * state.point_noise_m;
-  state.quality = good ? TrackQuality::kGood : TrackQuality::kPoor;
-  if (!good) {
-    state.hint = icp.weak_directions.empty()
-                     ? "Unsure: move closer, or look where more of the spool is seen."
-                     : "Unsure: it may be " + icp.weak_directions.front().text +
-                           "; look where a flange or an elbow is seen too.";
+  const LiveAlignment::Place place = alignment.place(state.scan, *state.frame, state.T_map_camera);
+  clock.mark("place");
+  state.was_moved = place.was_moved;
+  state.is_gone = place.is_gone;
+  if (!place.fit.is_believed) {
+    state.hint = place.fit.hint;
+    return;
   }
+  show(place.fit, state);
   measure(state);
   clock.mark("deviation");
+  if (state.camera == PoseQuality::kGood) alignment.refine(state);
+  grade(state);
+  clock.mark("refine");
+}
+
+// Where the scene does not hold the camera, on a bare floor, the spool may. A camera that was lost
+// is never good by that: another place may look alike. Where the scene is too plain for a map there
+// is nothing but the spool to follow.
+void FrameProcessor::Impl::hold_by_spool(const PointCloud& cloud, VisionState& state,
+                                         StageClock& clock) {
+  const bool is_lost = state.camera == PoseQuality::kLost;
+  const bool has_map = !tracker.map().empty();
+  const Pose guess = is_lost ? T_last : alignment.T_design_map() * state.T_map_camera;
+  const DesignFit fit = alignment.fit(state.scan, *state.frame, guess);
+  clock.mark("place");
+  if (!fit.is_believed) return;
+  const std::string camera_hint = std::exchange(state.hint, "");
+  if (fit.is_held && has_map) {
+    const Pose T_map_design = alignment.T_design_map().inverse();
+    state.T_map_camera = T_map_design * fit.T_design_camera;
+    const Matrix6d to_map =
+        turned(T_map_design.linear()) * motion_told_at(fit.T_design_camera.translation());
+    state.camera_covariance = to_map * fit.covariance * to_map.transpose();
+    tracker.tell({cloud, small, noise, state.frame->seconds}, state.T_map_camera,
+                 state.camera_covariance);
+  }
+  show(fit, state);
+  measure(state);
+  clock.mark("deviation");
+  grade(state);
+  const bool is_good = !(is_lost && has_map) && fit.is_held && state.agreement >= kGoodAgreement &&
+                       fit.rms_m <= kGoodNoises * fit.point_noise_m;
+  state.quality = is_good ? TrackQuality::kGood : TrackQuality::kPoor;
+  state.hint = is_good ? "" : camera_hint;
 }
 
 void FrameProcessor::Impl::measure(VisionState& state) const {
@@ -219,6 +259,7 @@ void FrameProcessor::Impl::measure(VisionState& state) const {
                    static_cast<float>(3.0 * state.point_noise_m), state.classes, state.deviations);
   state.parts = summarise_parts(design->model, state.scan_design, state.classes, state.deviations,
                                 coverage_samples);
+  state.rms_m = rms(state.deviations, state.classes);
 }
 
 Result<VisionStatePtr> FrameProcessor::process(std::shared_ptr<const DepthFrame> frame) {
@@ -231,71 +272,66 @@ Result<VisionStatePtr> FrameProcessor::process(std::shared_ptr<const DepthFrame>
                      std::to_string(self.camera.width) + "x" + std::to_string(self.camera.height) +
                      "; check camera.json or the recording"};
   }
-  std::map<std::string, double> times;
-  StageClock clock(times);
-  const Camera small = every_nth_pixel(self.camera, self.options.stride_px);
-  Result<PointCloud> organised =
-      back_project(every_nth_pixel(*frame, self.options.stride_px), small);
-  if (!organised) return organised.error();
-  auto state = self.thin(std::move(frame), std::move(*organised), small);
+  auto state = std::make_shared<VisionState>();
+  state->revision = ++self.revision;
+  state->alignment = self.alignments;
+  state->frame = std::move(frame);
+  state->stride_px = self.options.stride_px;
+  StageClock clock(state->timing_s);
+  const Result<PointCloud> cloud = self.organised(*state->frame);
+  if (!cloud) return cloud.error();
+  state->scan = measured_points(*cloud);
   clock.mark("thin");
-  state->timing_s = std::move(times);
-  state->hint = self.alignment_hint;
-
-  if (self.held && self.held_surface) {
-    // Camera motion while picks are made: this frame against the held one.
-    const PointCloud all = some_of(state->scan, self.options.track_points,
-                                   [](const Eigen::Vector3f&) { return true; });
-    const IcpResult icp = refine_icp(all, *self.held_surface, self.T_held_camera,
-                                     {.start_distance_m = self.options.track_distance_m});
-    if (icp.converged) self.T_held_camera = icp.T_design_scan;
-  } else if (self.T_design_camera) {
-    self.track(*state, *self.T_design_camera, self.frame_to_frame());
-  }
+  self.follow_camera(*cloud, *state);
+  clock.mark("follow");
+  if (self.alignment.is_set())
+    self.place_design(*cloud, *state, clock);
+  else
+    state->hint = self.alignment_hint;
   return VisionStatePtr(std::move(state));
-}
-
-void FrameProcessor::hold(VisionStatePtr held) {
-  Impl& self = *impl_;
-  self.held = std::move(held);
-  self.T_held_camera = Pose::Identity();
-  self.held_surface.reset();
-  if (auto surface = DesignSurface::build(CloudView(self.held->scan))) {
-    self.held_surface.emplace(std::move(*surface));
-  }
-}
-
-void FrameProcessor::release() {
-  impl_->held_surface.reset();
-  impl_->held.reset();
 }
 
 VisionStatePtr FrameProcessor::align(const VisionState& held, const Pose& T_design_camera) {
   Impl& self = *impl_;
   auto state = std::make_shared<VisionState>();
   state->revision = ++self.revision;
-  state->alignment = ++self.alignment;
+  state->alignment = ++self.alignments;
   state->frame = held.frame;
   state->scan = held.scan;
   state->stride_px = held.stride_px;
-  self.T_design_camera.reset();
+  state->camera = held.camera;
+  state->T_map_camera = held.T_map_camera;
+  state->camera_covariance = held.camera_covariance;
+  state->map = held.map;
+  self.alignment.forget();
   self.alignment_hint.clear();
-  self.track(*state, T_design_camera, {.start_distance_m = self.options.align_distance_m});
-  if (!state->is_tracked()) {
-    state->quality = TrackQuality::kUnaligned;
+  StageClock clock(state->timing_s);
+  const DesignFit fit = self.alignment.fit(state->scan, *state->frame, T_design_camera);
+  clock.mark("fit");
+  self.show(fit, *state);
+  if (!fit.is_believed) {
     self.alignment_hint = "The picks do not fit what is seen: undo one and pick it again.";
     state->hint = self.alignment_hint;
-    self.T_design_camera.reset();
-  } else if (self.held && self.held->frame == held.frame) {
-    // The camera went on while the picks were made: start from where it is now.
-    self.T_design_camera = state->T_design_camera * self.T_held_camera;
+    return state;
   }
-  release();
+  if (state->camera == PoseQuality::kLost || state->map != self.map) {
+    // Nobody knows where in the scene that was: the scene begins anew, with it.
+    self.tracker.clear();
+    ++self.map;
+    if (const Result<PointCloud> cloud = self.organised(*state->frame))
+      self.follow_camera(*cloud, *state);
+    state->hint.clear();
+  }
+  self.alignment.set(state->T_design_camera * state->T_map_camera.inverse());
+  self.measure(*state);
+  self.alignment.refine(*state);
+  self.grade(*state);
+  clock.mark("deviation");
   return state;
 }
 
 void FrameProcessor::forget() {
-  impl_->T_design_camera.reset();
+  impl_->alignment.forget();
   impl_->alignment_hint.clear();
 }
 

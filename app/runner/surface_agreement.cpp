@@ -17,12 +17,14 @@ constexpr double kLift = 1e-3;  // m off the surface that a sample itself lies o
 
 SurfaceAgreement surface_agreement(const SurfaceSamples& samples, const DesignSurface& surface,
                                    const DepthFrame& frame, const Camera& camera,
-                                   const Pose& T_design_camera, double gate_m) {
+                                   const Pose& T_design_camera, double gate_m,
+                                   std::span<const std::uint8_t> counts) {
   SurfaceAgreement count;
   const Pose T_camera_design = T_design_camera.inverse();
   const bool have_normals = samples.cloud.has_normals();
   const std::size_t step = std::max<std::size_t>(1, samples.cloud.size() / kSamples);
   for (std::size_t i = 0; i < samples.cloud.size(); i += step) {
+    if (!counts.empty() && counts[static_cast<std::size_t>(samples.part[i])] == 0) continue;
     const Eigen::Vector3d p_camera = T_camera_design * samples.cloud.points[i].cast<double>();
     if (p_camera.z() <= 0.0) continue;
     if (have_normals) {

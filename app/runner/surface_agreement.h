@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "vision/core/camera.h"
 #include "vision/core/depth_frame.h"
@@ -26,6 +28,11 @@ struct SurfaceAgreement {
     const std::size_t told = seen + seen_through;
     return told == 0 ? 0.0 : static_cast<double>(seen) / static_cast<double>(told);
   }
+  // Of what was measured in its directions, the share that is not hidden by something in front.
+  [[nodiscard]] double share_told() const {
+    const std::size_t told = seen + seen_through;
+    return told == 0 ? 0.0 : static_cast<double>(told) / static_cast<double>(told + hidden);
+  }
   // Of what was measured in its directions, the share that is the design.
   [[nodiscard]] double share_in_sight() const {
     const std::size_t all = seen + seen_through + hidden;
@@ -34,10 +41,12 @@ struct SurfaceAgreement {
 };
 
 // Some 1500 samples at most. Each with an outward normal towards the camera is projected into the
-// frame and compared with the depth at its pixel. `gate_m`: m along the optical axis.
+// frame and compared with the depth at its pixel. `gate_m`: m along the optical axis. `counts`: one
+// a part, zero for those that are not asked about; empty: all are.
 [[nodiscard]] SurfaceAgreement surface_agreement(const SurfaceSamples& samples,
                                                  const DesignSurface& surface,
                                                  const DepthFrame& frame, const Camera& camera,
-                                                 const Pose& T_design_camera, double gate_m);
+                                                 const Pose& T_design_camera, double gate_m,
+                                                 std::span<const std::uint8_t> counts = {});
 
 }  // namespace spool

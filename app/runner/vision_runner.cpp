@@ -15,12 +15,6 @@ constexpr std::chrono::milliseconds kFrameWait{
 
 VisionStatePtr obey(FrameProcessor& processor, const VisionCommand& command) {
   switch (command.kind) {
-    case VisionCommand::Kind::kHold:
-      processor.hold(command.held);
-      break;
-    case VisionCommand::Kind::kRelease:
-      processor.release();
-      break;
     case VisionCommand::Kind::kAlign:
       return processor.align(*command.held, command.T_design_camera);
     case VisionCommand::Kind::kForget:

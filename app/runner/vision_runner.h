@@ -15,12 +15,10 @@ namespace spool {
 // What the main thread asks of vision.
 struct VisionCommand {
   enum class Kind {
-    kHold,     // picks are being made on `held`
-    kRelease,  // they were given up
-    kAlign,    // they say that `held` was seen from `T_design_camera`
-    kForget,   // no alignment any more
+    kAlign,   // `held` was seen from `T_design_camera`
+    kForget,  // no alignment any more
   };
-  Kind kind = Kind::kRelease;
+  Kind kind = Kind::kForget;
   VisionStatePtr held;
   Pose T_design_camera = Pose::Identity();
 };

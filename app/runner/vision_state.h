@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "vision/align/tracker.h"
 #include "vision/core/depth_frame.h"
 #include "vision/core/point_cloud.h"
 #include "vision/core/pose.h"
@@ -30,9 +31,18 @@ struct VisionState {
   int stride_px = 1;  // every so many pixels of the frame are in it
   TrackQuality quality = TrackQuality::kUnaligned;
   std::string hint;  // what to do where quality is not good; one sentence
+  // The camera in the scene; means something unless `camera` is kLost. The map's frame is another
+  // one after the map was begun anew: `map` counts them.
+  PoseQuality camera = PoseQuality::kLost;
+  Pose T_map_camera = Pose::Identity();
+  Matrix6d camera_covariance = Matrix6d::Identity();  // of it: TrackedPose
+  std::uint64_t map = 0;
   // Design coordinates without the design's origin. Of a lost frame: the last pose that was
   // believed.
   Pose T_design_camera = Pose::Identity();
+  double pose_u_m = 0, pose_u_rad = 0;  // of it, at the camera: two standard deviations
+  bool was_moved = false;               // the spool; the pose is the one that it has now
+  bool is_gone = false;  // it is not where it was, and has to be looked for everywhere
   // The rest is empty unless quality is good or poor. One entry a point of `scan`.
   PointCloud scan_design;
   std::vector<PointClass> classes;

@@ -10,13 +10,6 @@
 #include "vision/core/median.h"
 
 namespace spool {
-namespace {
-
-// Neighbours within so wide an angle share a correlation window: 8 px of a 575 px lens
-// (ARCHITECTURE, The sensor).
-constexpr double kWindowRad = 8.0 / 575;
-
-}  // namespace
 
 FrameSamples sample_frame(const SeenFrame& frame, const ReadingNoise& noise, std::size_t most) {
   assert(frame.is_usable() && most > 0 && "an organised cloud with normals");
@@ -42,8 +35,7 @@ FrameSamples sample_frame(const SeenFrame& frame, const ReadingNoise& noise, std
     }
   if (variances.empty()) return chosen;
   chosen.variance = double{median(variances)};
-  const double window_px = kWindowRad * std::min(frame.camera.fx, frame.camera.fy);
-  chosen.correlated = std::max(1.0, window_px * window_px / (step * step));
+  chosen.correlated = correlated_readings(frame.camera, step);
   return chosen;
 }
 

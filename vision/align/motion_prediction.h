@@ -18,6 +18,8 @@ class MotionPrediction {
   // The pose that a frame `seconds` after the last one turned out to have. `seconds` must be over
   // zero but for the first.
   void follow(const Pose& T_map_camera, double seconds);
+  // The last pose is known better; the velocity stays.
+  void correct(const Pose& T_map_camera) { T_map_last_ = T_map_camera; }
   // Gives the velocity up, keeps the place: after a time without a pose.
   void stop() { velocity_.setZero(); }
   void clear();

@@ -301,4 +301,19 @@ TrackedPose Tracker::track(const SeenFrame& frame) {
   return tracked;
 }
 
+void Tracker::tell(const SeenFrame& frame, const Pose& T_map_camera, const Matrix6d& covariance) {
+  Impl& self = *impl_;
+  if (self.map.empty() || !frame.is_usable()) return;
+  self.motion.correct(T_map_camera);
+  if (self.is_lost) {
+    self.searches = 0;
+    return;
+  }
+  self.covariance = covariance;
+  if (self.unconfirmed > 0) return;
+  TrackedPose told;
+  told.T_map_camera = T_map_camera;
+  self.fuse(frame, added(self.map_drift, covariance), told);
+}
+
 }  // namespace spool

@@ -68,6 +68,11 @@ class Tracker {
   // back has a stated quality like any other.
   [[nodiscard]] TrackedPose track(const SeenFrame& frame);
 
+  // The frame that was tracked last has this pose, with this covariance (as in TrackedPose), known
+  // by more than the scene: what the scene does not hold goes on from there. A frame that was lost
+  // is looked for from there next.
+  void tell(const SeenFrame& frame, const Pose& T_map_camera, const Matrix6d& covariance);
+
   [[nodiscard]] const ScanMap& map() const;
   // Forgets the scene: the next frame that is fit for it starts a new map.
   void clear();

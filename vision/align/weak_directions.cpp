@@ -54,13 +54,6 @@ struct EquationSums {
   }
 };
 
-// A x_centre = x_origin for the motion of the same rigid body told at another point.
-Matrix6d from_origin(const Eigen::Vector3d& centre) {
-  Matrix6d a = Matrix6d::Identity();
-  a.topRightCorner<3, 3>() = -cross_matrix(centre);  // t_centre = t_origin + rotation x centre
-  return a;
-}
-
 std::string rounded(double value, int decimals) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
@@ -97,6 +90,12 @@ std::string words(const Vector6d& motion, const Eigen::Vector3d& centre, double 
 }
 
 }  // namespace
+
+Matrix6d motion_told_at(const Eigen::Vector3d& there) {
+  Matrix6d a = Matrix6d::Identity();
+  a.topRightCorner<3, 3>() = -cross_matrix(there);  // t_there = t_origin + rotation x there
+  return a;
+}
 
 NormalEquations build_normal_equations(std::span<const Correspondence> matches) {
   NormalEquations equations;
@@ -211,13 +210,27 @@ Matrix6d motion_covariance(const NormalEquations& equations, const HeldMotions& 
                                                                    : variance / motions.held[i];
     at_centre += along * v * v.transpose();
   }
-  const Matrix6d to_origin = from_origin(-equations.centre);
+  const Matrix6d to_origin = motion_told_at(-equations.centre);
   return to_origin * at_centre * to_origin.transpose();
 }
 
 Matrix6d information_at_origin(const NormalEquations& equations) {
-  const Matrix6d a = from_origin(equations.centre);
+  const Matrix6d a = motion_told_at(equations.centre);
   return a.transpose() * equations.information * a;
+}
+
+MotionKnowledge held_knowledge(const NormalEquations& equations, const HeldMotions& motions,
+                               double variance) {
+  MotionKnowledge at_centre;
+  for (int i = 0; i < 6; ++i) {
+    if (motions.weak[static_cast<std::size_t>(i)]) continue;
+    const Vector6d v = motions.directions.col(i);
+    const Vector6d row = equations.information * v / motions.held[i];
+    at_centre.information += motions.held[i] / variance * row * row.transpose();
+    at_centre.gradient += v.dot(equations.gradient) / variance * row;
+  }
+  const Matrix6d a = motion_told_at(equations.centre);
+  return {a.transpose() * at_centre.information * a, a.transpose() * at_centre.gradient};
 }
 
 std::vector<WeakDirection> describe_weak(const NormalEquations& equations,
@@ -239,7 +252,7 @@ std::vector<WeakDirection> describe_weak(const NormalEquations& equations,
     direction.text = words(motion, equations.centre, length);
     const double held = motion.dot(equations.information * motion);
     direction.sigma = std::min(kUnheldSigma, std::sqrt(variance / std::max(held, 1e-12)));
-    Vector6d at_origin = from_origin(-equations.centre) * motion;
+    Vector6d at_origin = motion_told_at(-equations.centre) * motion;
     direction.motion = at_origin;
     at_origin.head<3>() /= std::max(length, 1e-9);
     direction.direction = at_origin.normalized();

@@ -66,6 +66,10 @@ struct HeldMotions {
 // The step that solves the equations in the held motions and leaves the weak ones alone.
 [[nodiscard]] Vector6d solve_held(const NormalEquations& equations, const HeldMotions& motions);
 
+// x_there = A x_origin: the small motion of a rigid body told at `there` (m) in place of the
+// origin.
+[[nodiscard]] Matrix6d motion_told_at(const Eigen::Vector3d& there);
+
 // T followed by the small motion `step` about a centre (m, in T's target frame), a rotation still.
 [[nodiscard]] Pose moved_about(const Eigen::Vector3d& centre, const Vector6d& step, const Pose& T);
 
@@ -76,6 +80,28 @@ struct HeldMotions {
 
 // The information moved from the equations' centre to the design origin.
 [[nodiscard]] Matrix6d information_at_origin(const NormalEquations& equations);
+
+// What is known of a small motion at the design origin: information * motion = gradient. Sums of
+// independent knowledge are knowledge.
+struct MotionKnowledge {
+  Matrix6d information = Matrix6d::Zero();
+  Vector6d gradient = Vector6d::Zero();
+
+  MotionKnowledge& operator+=(const MotionKnowledge& o) {
+    information += o.information;
+    gradient += o.gradient;
+    return *this;
+  }
+  MotionKnowledge& operator*=(double factor) {
+    information *= factor;
+    gradient *= factor;
+    return *this;
+  }
+};
+// What the held motions say, for correspondences of `variance` (m^2) at unit weight; nothing along
+// the weak ones.
+[[nodiscard]] MotionKnowledge held_knowledge(const NormalEquations& equations,
+                                             const HeldMotions& motions, double variance);
 
 // The weak motions told apart into slides and turns, with words.
 [[nodiscard]] std::vector<WeakDirection> describe_weak(const NormalEquations& equations,

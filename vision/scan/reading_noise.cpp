@@ -27,4 +27,11 @@ ReadingNoise::ReadingNoise(const NoiseModel& model, const Camera& camera)
     }
 }
 
+double correlated_readings(const Camera& camera, double step_px) {
+  // Neighbours within so wide an angle share a correlation window: 8 px of a 575 px lens.
+  constexpr double kWindowRad = 8.0 / 575;
+  const double window_px = kWindowRad * std::min(camera.fx, camera.fy);
+  return std::max(1.0, window_px * window_px / (step_px * step_px));
+}
+
 }  // namespace spool

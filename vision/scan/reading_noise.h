@@ -37,4 +37,8 @@ class ReadingNoise {
   Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> table_;
 };
 
+// How many readings, of every `step`-th pixel in u and v, share one correlation window of the
+// sensor (ARCHITECTURE, The sensor) and so are worth one; 1 at least.
+[[nodiscard]] double correlated_readings(const Camera& camera, double step_px);
+
 }  // namespace spool

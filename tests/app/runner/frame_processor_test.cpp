@@ -3,6 +3,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/runner/frame_processor.h"
 
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "tests/app/runner/simulated_scene.h"
@@ -59,7 +62,7 @@ TEST(FrameProcessor, FollowsAWalkingCameraAfterPicksOffByACentimetre) {
   for (int i = 1; i <= 10; ++i) {
     const Pose truth = test::T_design_camera(0.01 * i, 0.004 * i);  // 7 mm a frame
     const auto state = run(vision, frame_at(truth, i));
-    ASSERT_EQ(state->quality, TrackQuality::kGood) << "frame " << i;
+    ASSERT_EQ(state->quality, TrackQuality::kGood) << "frame " << i << ": " << state->hint;
     expect_pose(state->T_design_camera, truth);
   }
 }
@@ -110,7 +113,7 @@ TEST(FrameProcessor, SaysLostWhenTheSpoolIsGoneAndFindsItAgainWhereItWas) {
   EXPECT_TRUE(lost->scan_design.empty()) << "nothing is measured at a pose that is not believed";
   expect_pose(lost->T_design_camera, T);  // the last believed one
   const auto back = run(vision, frame_at(T, 2));
-  EXPECT_EQ(back->quality, TrackQuality::kGood);
+  EXPECT_EQ(back->quality, TrackQuality::kGood) << back->hint << back->pose_u_m;
 }
 
 TEST(FrameProcessor, RefusesAnAlignmentThatTheFrameContradicts) {
@@ -127,20 +130,117 @@ TEST(FrameProcessor, RefusesAnAlignmentThatTheFrameContradicts) {
   EXPECT_EQ(next->hint, state->hint) << "the reason stays on the screen";
 }
 
+// A plate on a bare floor: nothing but the plate holds the camera, and no map can be begun.
+TEST(FrameProcessor, FollowsTheSpoolAloneWhereTheSceneIsTooPlain) {
+  const auto plate = test::prepared_plate();
+  NoiseModel noise;
+  noise.constant_m = 0.0008;
+  FrameProcessor vision(plate, test::small_camera(), noise, {.stride_px = 1});
+  const Pose first = test::T_design_camera();
+  const auto held = run(vision, test::render_frame(*plate, first, 0));
+  EXPECT_EQ(held->camera, PoseQuality::kLost);
+  ASSERT_TRUE(vision.align(*held, off_by_picks(first))->is_tracked());
+  for (int i = 1; i <= 10; ++i) {
+    const Pose truth = test::T_design_camera(0.005 * i, 0.002 * i);
+    const auto state = run(vision, test::render_frame(*plate, truth, i));
+    ASSERT_EQ(state->quality, TrackQuality::kGood) << "frame " << i << ": " << state->hint;
+    expect_pose(state->T_design_camera, truth);
+  }
+}
+
+// A camera that walks slowly to and fro in the workshop while the bracket may be moved about in it.
+struct Workshop {
+  FrameProcessor vision = processor();
+  Pose T_shop_design = Pose::Identity();
+  int frames = 0;
+  VisionStatePtr last;
+
+  [[nodiscard]] Pose T_shop_camera() const {
+    return test::T_design_camera(0.15 * std::sin(0.05 * frames), 0.01 * std::sin(0.09 * frames));
+  }
+  [[nodiscard]] Pose truth() const { return T_shop_design.inverse() * T_shop_camera(); }
+  VisionStatePtr see(bool is_there = true) {
+    ++frames;
+    last = run(vision, test::render_in_workshop(is_there ? test::prepared_bracket().get() : nullptr,
+                                                T_shop_design, T_shop_camera(), frames));
+    return last;
+  }
+  void begin() {
+    const auto held = see();
+    ASSERT_TRUE(vision.align(*held, off_by_picks(truth()))->is_tracked());
+    for (int i = 0; i < 15; ++i) see();
+    ASSERT_EQ(last->quality, TrackQuality::kGood) << last->hint;
+    expect_pose(last->T_design_camera, truth());
+  }
+  [[nodiscard]] PoseSize off() const {
+    return pose_size(truth().inverse() * last->T_design_camera);
+  }
+};
+
 TEST(FrameProcessor, CarriesPicksOnToWhereTheCameraWentMeanwhile) {
   FrameProcessor vision = processor();
+  const auto seen_from = [](const Pose& T, int frame) {
+    return test::render_in_workshop(test::prepared_bracket().get(), Pose::Identity(), T, frame);
+  };
   const Pose first = test::T_design_camera();
-  const auto held = run(vision, frame_at(first, 0));
-  vision.hold(held);
+  const auto held = run(vision, seen_from(first, 0));
   Pose last = first;
   for (int i = 1; i <= 12; ++i) {  // 0.1 m and 7 degrees in all: out of reach of one step
     last = test::T_design_camera(0.01 * i, 0.004 * i);
-    static_cast<void>(run(vision, frame_at(last, i)));
+    static_cast<void>(run(vision, seen_from(last, i)));
   }
   ASSERT_TRUE(vision.align(*held, off_by_picks(first))->is_tracked());
-  const auto now = run(vision, frame_at(last, 13));
-  ASSERT_EQ(now->quality, TrackQuality::kGood);
+  const auto now = run(vision, seen_from(last, 13));
+  ASSERT_EQ(now->quality, TrackQuality::kGood) << now->hint;
   expect_pose(now->T_design_camera, last);
+}
+
+TEST(FrameProcessor, NoticesABumpAndAlignsAgainWithinASecond) {
+  const std::vector<Vector6d> bumps = {
+      (Vector6d() << 0.02, 0, 0, 0, 0, 0).finished(),
+      (Vector6d() << 0, -0.014, 0.014, 0, 0, 0).finished(),
+      (Vector6d() << 0, 0, 0, 0, 0, 0.0873).finished(),  // 5 degrees about the vertical
+  };
+  for (const Vector6d& bump : bumps) {
+    Workshop shop;
+    shop.begin();
+    shop.T_shop_design = pose_from_small(bump);
+    for (int i = 0; i < 30; ++i) shop.see();
+    EXPECT_EQ(shop.last->quality, TrackQuality::kGood) << shop.last->hint;
+    expect_pose(shop.last->T_design_camera, shop.truth());
+  }
+}
+
+TEST(FrameProcessor, SaysThatASpoolSetDownElsewhereIsNotWhereItWas) {
+  Workshop shop;
+  shop.begin();
+  shop.T_shop_design = pose_from_small((Vector6d() << 0.1, 0.08, 0, 0, 0, 1.0).finished());
+  for (int i = 0; i < 15; ++i) shop.see();
+  EXPECT_EQ(shop.last->quality, TrackQuality::kLost);
+  EXPECT_EQ(shop.last->camera, PoseQuality::kGood) << "the scene is still known";
+  EXPECT_TRUE(shop.last->is_gone);
+  EXPECT_NE(shop.last->hint.find("not where it was"), std::string::npos) << shop.last->hint;
+  EXPECT_TRUE(shop.last->scan_design.empty())
+      << "nothing is measured at a pose that is not believed";
+}
+
+TEST(FrameProcessor, GoesOnWhereTheSpoolIsOutOfSight) {
+  Workshop shop;
+  shop.begin();
+  const Pose aside = test::T_design_camera(0.1);
+  // The camera turns away to the crate, frame by frame, and back.
+  for (int i = 0; i <= 30; ++i) {
+    Pose T = aside;
+    T.linear() =
+        T.linear() *
+        Eigen::AngleAxisd(-0.55 * std::sin(0.105 * i), Eigen::Vector3d::UnitY()).toRotationMatrix();
+    shop.last = run(shop.vision, test::render_in_workshop(test::prepared_bracket().get(),
+                                                          Pose::Identity(), T, 100 + i));
+    ASSERT_TRUE(shop.last->is_tracked()) << i << shop.last->hint;
+    const PoseSize off = pose_size(T.inverse() * shop.last->T_design_camera);
+    EXPECT_LT(off.translation_m, 0.003) << i;
+  }
+  EXPECT_EQ(shop.last->quality, TrackQuality::kGood) << shop.last->hint;
 }
 
 TEST(FrameProcessor, RefusesAFrameOfAnotherSize) {

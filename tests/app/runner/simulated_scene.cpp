@@ -42,7 +42,13 @@ void add_box(DesignModel& model, const std::string& name, const Eigen::Vector3f&
   model.parts.push_back(std::move(part));
 }
 
-std::shared_ptr<const DepthFrame> cast_frame(const DesignSurface* surface, const Pose& T,
+// A surface that stands at T_shop_surface; T_shop_camera sees it.
+struct Thing {
+  const DesignSurface* surface;
+  Pose T_shop_surface = Pose::Identity();
+};
+
+std::shared_ptr<const DepthFrame> cast_frame(const std::vector<Thing>& things, const Pose& T,
                                              std::int64_t index, double noise_m) {
   const Camera camera = small_camera();
   auto frame = std::make_shared<DepthFrame>();
@@ -57,10 +63,12 @@ std::shared_ptr<const DepthFrame> cast_frame(const DesignSurface* surface, const
       const Eigen::Vector3d ray = camera.back_project(u, v, 1.0);  // depth 1 along the axis
       const Eigen::Vector3d direction = T.linear() * ray;
       double z = direction.z() < 0 ? (kFloorZ - T.translation().z()) / direction.z() : 0;
-      if (surface != nullptr) {
-        const auto hit = surface->cast(T.translation().cast<float>(),
-                                       direction.normalized().cast<float>(), 10.0F);
-        if (hit) z = hit->distance / ray.norm();
+      for (const Thing& thing : things) {
+        const Pose T_surface_shop = thing.T_shop_surface.inverse();
+        const auto hit = thing.surface->cast(
+            (T_surface_shop * T.translation()).cast<float>(),
+            (T_surface_shop.linear() * direction.normalized()).cast<float>(), 10.0F);
+        if (hit && (z <= 0 || hit->distance / ray.norm() < z)) z = hit->distance / ray.norm();
       }
       const bool measured = z > 0 && z < 6;
       const double count =
@@ -127,11 +135,30 @@ Pose T_design_camera(double turn_rad, double shift_m) {
 std::shared_ptr<const DepthFrame> render_frame(const PreparedDesign& design,
                                                const Pose& T_design_camera, std::int64_t index,
                                                double noise_m) {
-  return cast_frame(design.surface.get(), T_design_camera, index, noise_m);
+  return cast_frame({{design.surface.get()}}, T_design_camera, index, noise_m);
+}
+
+std::shared_ptr<const DepthFrame> render_in_workshop(const PreparedDesign* design,
+                                                     const Pose& T_shop_design,
+                                                     const Pose& T_shop_camera,
+                                                     std::int64_t index) {
+  static const auto furniture = [] {
+    DesignModel model;
+    model.path = "furniture";
+    add_box(model, "crate", {-0.35F, -0.15F, -0.10F}, {-0.12F, 0.10F, 0.06F});
+    add_box(model, "shelf", {-0.10F, 0.32F, -0.10F}, {0.50F, 0.45F, 0.12F});
+    add_box(model, "block", {0.52F, -0.10F, -0.10F}, {0.66F, 0.08F, 0.02F});
+    add_box(model, "sill", {0.05F, -0.32F, -0.10F}, {0.30F, -0.20F, -0.03F});
+    auto prepared = PreparedDesign::prepare(std::move(model));
+    return prepared ? *prepared : nullptr;
+  }();
+  std::vector<Thing> things{{furniture->surface.get()}};
+  if (design != nullptr) things.push_back({design->surface.get(), T_shop_design});
+  return cast_frame(things, T_shop_camera, index, 0.0005);
 }
 
 std::shared_ptr<const DepthFrame> empty_frame(const Pose& T_design_camera, std::int64_t index) {
-  return cast_frame(nullptr, T_design_camera, index, 0.0005);
+  return cast_frame({}, T_design_camera, index, 0.0005);
 }
 
 ScriptedSource::ScriptedSource(std::vector<Step> steps, bool recording)

@@ -36,6 +36,12 @@ namespace spool::test {
                                                              const Pose& T_design_camera,
                                                              std::int64_t index,
                                                              double noise_m = 0.0005);
+// The same in a workshop whose things stand still: floor and boxes round the design, which lies at
+// T_shop_design in it (identity: where it lies in the other pictures); null: it is not there.
+[[nodiscard]] std::shared_ptr<const DepthFrame> render_in_workshop(const PreparedDesign* design,
+                                                                   const Pose& T_shop_design,
+                                                                   const Pose& T_shop_camera,
+                                                                   std::int64_t index);
 // The floor alone.
 [[nodiscard]] std::shared_ptr<const DepthFrame> empty_frame(const Pose& T_design_camera,
                                                             std::int64_t index);

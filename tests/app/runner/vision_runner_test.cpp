@@ -48,7 +48,6 @@ TEST(LiveFeed, AlignsOnTheHeldFrameAndTracksOn) {
   const auto first = wait_for(*feed, [](const VisionState&) { return true; });
   ASSERT_TRUE(first);
   feed->pause(true);
-  feed->command({VisionCommand::Kind::kHold, first, Pose::Identity()});
   feed->command({VisionCommand::Kind::kAlign, first, test::T_design_camera()});
   const auto answered = wait_for(*feed, [](const VisionState& s) { return s.alignment == 1; });
   ASSERT_TRUE(answered);

@@ -1,0 +1,185 @@
+// The datum is followed by everything that holds it, and by nothing that is built wrong.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/inspect/datum_fit.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/vision/inspect/jointed_spool.h"
+
+namespace spool {
+namespace {
+
+using Eigen::Vector3d;
+using test::JointedSpool;
+using test::kArm;
+using test::kEnd;
+using test::kFoot;
+using test::kRiser;
+using test::kSide;
+using test::kTip;
+
+constexpr float kVariance = 1e-6F;  // m^2: noise of 1 mm
+constexpr double kDegree = std::numbers::pi / 180;
+const std::vector<bool> kAll(6, true);
+
+const JointedSpool& jointed() {
+  static const JointedSpool spool;
+  return spool;
+}
+
+// Shows the fit the scan where it is now, several times over, and moves it as the fit says.
+struct Followed {
+  DatumFit fit;
+  PointCloud scan;
+  Pose T_design_scan = Pose::Identity();  // of the scan as it was given
+  DatumEstimate last;
+
+  Followed(const DesignModel& design, PointCloud of, const DatumFitOptions& options = {})
+      : fit(design, options), scan(std::move(of)) {}
+
+  void see(double passed_s = 0.03) {
+    const PointCloud here = spool::moved(scan, T_design_scan);
+    std::vector<PointClass> classes(here.size(), PointClass::kObject);
+    const Deviations deviations = measure_deviations(here, classes, jointed().surface, 0.03F);
+    const std::vector<float> variances(here.size(), kVariance);
+    fit.add({CloudView(here), deviations, variances, 1, passed_s});
+    last = fit.solve();
+    T_design_scan = moved_about(Vector3d::Zero(), last.step, T_design_scan);
+    fit.follow(last.step);
+  }
+  void see_often(int times) {
+    for (int i = 0; i < times; ++i) see();
+  }
+};
+
+// How far (m) the pose puts the ends of the riser from where they belong, at most; `truth` puts the
+// scan there.
+double datum_off(const Pose& T, const Pose& truth) {
+  double worst = 0;
+  for (const Vector3d& p : {Vector3d(0, 0, 0), Vector3d(0, 0, 0.8)})
+    worst = std::max(worst, (T * (truth.inverse() * p) - p).norm());
+  return worst;
+}
+
+Pose a_little_off() {
+  Vector6d small;
+  small << 0.004, -0.003, 0.002, 0.004, -0.003, 0.005;
+  return pose_from_small(small);
+}
+
+TEST(DatumFit, BringsAWholeSpoolHome) {
+  const PointCloud scan = jointed().scan(jointed().as_designed(), kAll);
+  const Pose off = a_little_off();
+  Followed followed(jointed().design, spool::moved(scan, off));
+  followed.see_often(5);
+  EXPECT_LT(datum_off(followed.T_design_scan, off.inverse()), 0.0003);
+  for (const std::uint8_t counts : followed.last.counts) EXPECT_EQ(counts, 1);
+  const double sigma = std::sqrt(followed.last.covariance.topLeftCorner<3, 3>().trace());
+  EXPECT_GT(sigma, 1e-5);
+  EXPECT_LT(sigma, 0.001);
+}
+
+TEST(DatumFit, WithoutDatumsTakesTheDesignForOneBody) {
+  DesignModel design = jointed().design;
+  design.datums.clear();
+  const PointCloud scan = jointed().scan(jointed().as_designed(), kAll);
+  const Pose off = a_little_off();
+  Followed followed(design, spool::moved(scan, off));
+  followed.see_often(5);
+  EXPECT_LT(datum_off(followed.T_design_scan, off.inverse()), 0.0003);
+}
+
+// The arm and its tip, half of what is seen, are turned by 5 degrees about the riser's top.
+TEST(DatumFit, IsNotPulledByWhatIsBuiltWrong) {
+  std::vector<Pose> built = jointed().as_designed();
+  built[kArm] = built[kTip] = test::turned_about({0, 0, 0.8}, Vector3d::UnitZ(), 5);
+  const PointCloud scan = jointed().scan(built, kAll);
+  Followed followed(jointed().design, scan);
+  followed.see_often(30);
+  EXPECT_LT(datum_off(followed.T_design_scan, Pose::Identity()), 0.0003);
+  EXPECT_LT(pose_size(followed.T_design_scan).rotation_rad, 0.1 * kDegree);
+  EXPECT_EQ(followed.last.counts[kRiser], 1);
+  EXPECT_EQ(followed.last.counts[kFoot], 1);
+  EXPECT_EQ(followed.last.counts[kArm], 0);
+  EXPECT_EQ(followed.last.counts[kTip], 0);
+}
+
+// Parts that are off by what the trade allows are neither an error nor a reason to follow them, as
+// a best fit over everything does.
+TEST(DatumFit, IsHardlyPulledByWhatIsTolerable) {
+  std::vector<Pose> built = jointed().as_designed();
+  built[kArm] = built[kTip] = test::moved({0, 0.003, 0});
+  const PointCloud scan = jointed().scan(built, kAll);
+  Followed followed(jointed().design, scan);
+  followed.see_often(30);
+  EXPECT_LT(datum_off(followed.T_design_scan, Pose::Identity()), 0.0004);
+  EXPECT_EQ(followed.last.counts[kArm], 1);
+
+  DesignModel rigid = jointed().design;
+  rigid.datums.clear();
+  Followed best_fit(rigid, scan);
+  best_fit.see_often(30);
+  EXPECT_GT(datum_off(best_fit.T_design_scan, Pose::Identity()), 0.0008);
+}
+
+// Where nothing but the far end is in sight, the datum is known by it as far as joints reach.
+TEST(DatumFit, IsKnownThroughJointsAsFarAsTheyAllow) {
+  const std::vector<bool> tip_and_arm = {false, false, true, true, false, false};
+  const PointCloud scan = jointed().scan(jointed().as_designed(), tip_and_arm);
+  const Pose off = a_little_off();
+  Followed followed(jointed().design, spool::moved(scan, off));
+  followed.see_often(30);
+  EXPECT_LT(datum_off(followed.T_design_scan, off.inverse()), 0.003);
+  const DatumFitOptions options;
+  EXPECT_GT(std::sqrt(followed.last.covariance(5, 5)), 0.9 * options.joint_rad);
+  EXPECT_LT(std::sqrt(followed.last.covariance(5, 5)), 1.5 * options.joint_rad);
+}
+
+TEST(DatumFit, KnowsOfAStraightPipeNoMoreThanItShows) {
+  const std::vector<bool> riser = {true, false, false, false, false, false};
+  PointCloud scan = jointed().scan(jointed().as_designed(), riser);
+  PointCloud middle;  // its ends would hold it along its axis
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (scan.points[i].z() < 0.2F || scan.points[i].z() > 0.6F) continue;
+    middle.points.push_back(scan.points[i]);
+    middle.normals.push_back(scan.normals[i]);
+  }
+  DatumFitOptions options;
+  Followed followed(jointed().design, middle, options);
+  followed.see_often(30);
+  EXPECT_GT(std::sqrt(followed.last.covariance(2, 2)), 0.9 * options.prior_m) << "along";
+  EXPECT_GT(std::sqrt(followed.last.covariance(5, 5)), 0.7 * options.prior_rad) << "about";
+  EXPECT_LT(pose_size(followed.T_design_scan).translation_m, 0.001) << "nor slides";
+}
+
+TEST(DatumFit, ForgetsWhatIsLongPast) {
+  const PointCloud scan = jointed().scan(jointed().as_designed(), kAll);
+  Followed followed(jointed().design, scan);
+  followed.see_often(100);
+  // The map has drifted by 4 mm since: a minute later the new readings are what counts.
+  followed.scan = spool::moved(scan, test::moved({0.004, 0, 0}));
+  followed.see(60);
+  followed.see_often(10);
+  EXPECT_LT(datum_off(followed.T_design_scan, test::moved({-0.004, 0, 0})), 0.0005);
+}
+
+TEST(DatumFit, SaysNothingOfNothing) {
+  DatumFit fit(jointed().design);
+  const DatumEstimate estimate = fit.solve();
+  EXPECT_TRUE(estimate.step.isZero());
+  const DatumFitOptions options;
+  EXPECT_GE(std::sqrt(estimate.covariance(0, 0)), 0.9 * options.prior_m);
+  PointCloud stray;
+  stray.points = {{5, 5, 5}};
+  stray.normals = {{0, 0, 1}};
+  fit.add({CloudView(stray), no_deviations(1), std::vector<float>{kVariance}, 1, 0.03});
+  EXPECT_TRUE(fit.solve().step.isZero());
+}
+
+}  // namespace
+}  // namespace spool

@@ -1,0 +1,161 @@
+// Where the datum is, from the readings on all parts: each counts as far as its joints hold it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/inspect/datum_fit.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace spool {
+namespace {
+
+constexpr float kTukey = 4.685F;            // standard deviations (Holland & Welsch 1977)
+constexpr float kLeastAlike = 0.7F;         // cosine between a reading's normal and the surface's
+constexpr double kContradiction = 16.81;    // chi-squared, 6 degrees of freedom, 1 %
+constexpr std::size_t kFewestOfAPart = 10;  // readings; fewer say nothing of its place
+
+Matrix6d information_of(const Eigen::Vector3d& at, double sigma_m, double sigma_rad) {
+  Vector6d diagonal;
+  diagonal << Eigen::Vector3d::Constant(1 / (sigma_m * sigma_m)),
+      Eigen::Vector3d::Constant(1 / (sigma_rad * sigma_rad));
+  const Matrix6d a = motion_told_at(at);
+  return a.transpose() * diagonal.asDiagonal() * a;
+}
+
+// What is left of b^T information^-1 b for the best motion: the squared misfit that one explains.
+double explained(const Matrix6d& information, const Vector6d& gradient) {
+  return gradient.dot(information.ldlt().solve(gradient));
+}
+
+// The mean of a part's corners; of a part without a mesh where its frame stands.
+Eigen::Vector3d middle_of(const DesignModel& design, int part) {
+  const Part& it = design.parts[static_cast<std::size_t>(part)];
+  if (it.triangle_count == 0) return it.T_design_part.translation();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::uint32_t t = 0; t < it.triangle_count; ++t)
+    for (const std::uint32_t vertex : design.mesh.triangles[it.first_triangle + t])
+      sum += design.mesh.vertices[vertex].cast<double>();
+  return sum / (3.0 * it.triangle_count);
+}
+
+}  // namespace
+
+DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
+    : options_(options),
+      allowance2_(design.parts.size(), 0.0F),
+      prior_(information_of(design.bounds().center(), options.prior_m, options.prior_rad)),
+      own_(design.parts.size()),
+      matches_(design.parts.size()) {
+  if (design.datums.empty()) return;
+  tree_ = joint_tree(design);
+  root_ = design.datums.front();
+  for (const JointBranch& branch : tree_) {
+    // Breadth first, so the nearer part's allowance is known. A joint's angle tells at the far
+    // part's middle.
+    const double lever =
+        (middle_of(design, branch.part_far) - branch.frame.point.cast<double>()).norm();
+    const double joint2 =
+        options.joint_m * options.joint_m + lever * lever * options.joint_rad * options.joint_rad;
+    allowance2_[static_cast<std::size_t>(branch.part_far)] =
+        allowance2_[static_cast<std::size_t>(branch.part_near)] + static_cast<float>(joint2);
+  }
+}
+
+void DatumFit::clear() { std::fill(own_.begin(), own_.end(), MotionKnowledge{}); }
+
+void DatumFit::add(const DatumReadings& readings) {
+  const Deviations& deviations = readings.deviations;
+  const std::size_t count = deviations.part.size();
+  assert(readings.scan_design.points.size() == count && readings.variance_m2.size() == count);
+  const double kept = std::exp(-std::max(0.0, readings.passed_s) / options_.memory_s);
+  for (MotionKnowledge& knowledge : own_) knowledge *= kept;
+
+  std::size_t near = 0;
+  for (const std::int32_t part : deviations.part) near += part >= 0 ? 1U : 0U;
+  const std::size_t step = near / options_.most_points + 1;
+  constexpr float kUnit = 1e-6F;  // m^2, what a weight of one stands for
+  for (auto& of_part : matches_) of_part.clear();
+  std::size_t seen = 0;
+  const bool has_normals = !readings.scan_design.normals.empty();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::int32_t part = deviations.part[i];
+    if (part < 0 || seen++ % step != 0) continue;
+    const float variance = readings.variance_m2[i];
+    const float width2 = kTukey * kTukey * (variance + allowance2_[static_cast<std::size_t>(part)]);
+    const float u2 = deviations.distance_m[i] * deviations.distance_m[i] / width2;
+    if (!(u2 < 1)) continue;
+    // Beyond an edge the nearest surface is not the one that was seen.
+    if (has_normals && readings.scan_design.normals[i].dot(deviations.normal[i]) < kLeastAlike)
+      continue;
+    const float weight = (1 - u2) * (1 - u2) * kUnit / variance;
+    matches_[static_cast<std::size_t>(part)].push_back(
+        {readings.scan_design.points[i], deviations.normal[i], deviations.distance_m[i], weight});
+  }
+  const double worth = std::max(1.0, readings.correlated / static_cast<double>(step));
+  for (std::size_t part = 0; part < own_.size(); ++part) {
+    if (matches_[part].size() < kFewestOfAPart) continue;
+    const NormalEquations equations = build_normal_equations(matches_[part]);
+    if (equations.weight <= 0) continue;
+    own_[part] +=
+        held_knowledge(equations, held_motions(equations, matches_[part]), double{kUnit} * worth);
+  }
+}
+
+// What the far side says of the near one: the joint adds its own variance.
+MotionKnowledge DatumFit::through(const JointBranch& joint, const MotionKnowledge& beyond) const {
+  const Matrix6d stiffness =
+      information_of(joint.frame.point.cast<double>(), options_.joint_m, options_.joint_rad);
+  // (information^-1 + stiffness^-1)^-1 without inverting what may be singular.
+  const Matrix6d lost = beyond.information * (beyond.information + stiffness).inverse();
+  MotionKnowledge told;
+  told.information = beyond.information - lost * beyond.information;
+  told.information = 0.5 * (told.information + told.information.transpose()).eval();
+  told.gradient = beyond.gradient - lost * beyond.gradient;
+  return told;
+}
+
+DatumEstimate DatumFit::solve() const {
+  DatumEstimate estimate;
+  estimate.counts.assign(own_.size(), tree_.empty() ? 1 : 0);
+  MotionKnowledge all;
+  if (tree_.empty()) {
+    for (const MotionKnowledge& knowledge : own_) all += knowledge;
+  } else {
+    std::vector<MotionKnowledge> belief = own_;
+    std::vector<std::uint8_t> is_out(tree_.size(), 0);
+    for (std::size_t i = tree_.size(); i-- > 0;) {
+      const MotionKnowledge told =
+          through(tree_[i], belief[static_cast<std::size_t>(tree_[i].part_far)]);
+      MotionKnowledge& near = belief[static_cast<std::size_t>(tree_[i].part_near)];
+      const double misfit =
+          explained(told.information + prior_, told.gradient) +
+          explained(near.information + prior_, near.gradient) -
+          explained(told.information + near.information + prior_, told.gradient + near.gradient);
+      is_out[i] = misfit > kContradiction ? 1 : 0;
+      if (is_out[i] == 0) near += told;
+    }
+    estimate.counts[static_cast<std::size_t>(root_)] = 1;
+    for (std::size_t i = 0; i < tree_.size(); ++i)
+      estimate.counts[static_cast<std::size_t>(tree_[i].part_far)] =
+          is_out[i] == 0 ? estimate.counts[static_cast<std::size_t>(tree_[i].part_near)] : 0;
+    all = belief[static_cast<std::size_t>(root_)];
+  }
+  const Eigen::LDLT<Matrix6d> solver(all.information + prior_);
+  estimate.step = solver.solve(all.gradient);
+  estimate.covariance = solver.solve(Matrix6d::Identity());
+  Matrix6d rigid = prior_;
+  for (std::size_t part = 0; part < own_.size(); ++part)
+    if (estimate.counts[part] != 0) rigid += own_[part].information;
+  estimate.covariance_as_designed = rigid.ldlt().solve(Matrix6d::Identity());
+  return estimate;
+}
+
+void DatumFit::follow(const Vector6d& step) {
+  for (MotionKnowledge& knowledge : own_) knowledge.gradient -= knowledge.information * step;
+}
+
+}  // namespace spool

@@ -1,0 +1,78 @@
+// Where the datum is, from the readings on all parts: each counts as far as its joints hold it.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "vision/align/weak_directions.h"
+#include "vision/core/cloud_view.h"
+#include "vision/design/design_model.h"
+#include "vision/inspect/deviation.h"
+#include "vision/inspect/joint_tree.h"
+
+namespace spool {
+
+struct DatumFitOptions {
+  // Standard deviations of a joint as built: half of what PFI ES-3 allows (3 mm; 3/64 in a foot).
+  double joint_m = 0.0015;
+  double joint_rad = 0.002;
+  // What was known before any reading, of the datum at the design's middle.
+  double prior_m = 0.02;
+  double prior_rad = 0.05;
+  double memory_s = 3;             // after so long a reading counts for 1/e
+  std::size_t most_points = 6000;  // of a frame that are looked at, about
+};
+
+// The readings of one frame, one entry a point.
+struct DatumReadings {
+  CloudView scan_design;               // m; with the scan's normals
+  const Deviations& deviations;        // there
+  std::span<const float> variance_m2;  // along the surface's normal
+  double correlated = 1;               // how many readings are worth one
+  double passed_s = 0;                 // since the readings before
+};
+
+struct DatumEstimate {
+  // The small motion about the design origin (m, rad) that the scan has to make so that the datum
+  // lies where the design has it.
+  Vector6d step = Vector6d::Zero();
+  Matrix6d covariance = Matrix6d::Zero();
+  // The same were every joint of the parts that count exactly as designed: how well the design's
+  // place is known, in place of the datum's.
+  Matrix6d covariance_as_designed = Matrix6d::Zero();
+  // One a part: it is where the datum and its joints let it be. Others say nothing of the datum.
+  std::vector<std::uint8_t> counts;
+};
+
+// Belief propagation (Pearl 1988) on the tree of joints: each part's own readings hold it (point to
+// plane), each joint lets the next part be off by the trade's tolerance, and what contradicts the
+// side of the datum (chi-squared, 1 %) is taken for wrongly built and left out with all that hangs
+// on it. So a wrong part cannot pull the pose by which it is judged. Without datums or joints the
+// design is one rigid body. Use from one thread at a time.
+class DatumFit {
+ public:
+  explicit DatumFit(const DesignModel& design, const DatumFitOptions& options = {});
+
+  void clear();  // what was read is forgotten
+  void add(const DatumReadings& readings);
+  [[nodiscard]] DatumEstimate solve() const;
+  // The scan made this small motion in the design frame; what was read goes with it.
+  void follow(const Vector6d& step);
+
+ private:
+  [[nodiscard]] MotionKnowledge through(const JointBranch& joint,
+                                        const MotionKnowledge& beyond) const;
+
+  DatumFitOptions options_;
+  std::vector<JointBranch> tree_;  // empty: one rigid body
+  int root_ = 0;
+  std::vector<float> allowance2_;  // m^2; of a part's place as built, one a part
+  Matrix6d prior_ = Matrix6d::Zero();
+  std::vector<MotionKnowledge> own_;                  // one a part, at the design origin
+  std::vector<std::vector<Correspondence>> matches_;  // scratch, one a part
+};
+
+}  // namespace spool
