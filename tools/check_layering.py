@@ -20,12 +20,13 @@ MAY_INCLUDE = {
     "vision/find": VISION[:6],
     "vision/inspect": VISION,
     "vision": VISION + ["vision"],
+    "vision/live": VISION + ["vision", "vision/live"],
     "render": CORE + ["render"],
     "app/common": VISION + ["vision", "app/common"],
     "app/sensor": VISION + ["vision", "app/common", "app/sensor"],
     "app/evidence": VISION + ["vision", "render", "app/common", "app/sensor", "app/guide", "app/evidence"],
     "app/guide": VISION + ["vision", "app/common", "app/guide"],
-    "tools": VISION + ["vision", "render", "app/common", "app/sensor", "app/guide", "app/evidence", "tools"],
+    "tools": VISION + ["vision", "vision/live", "render", "app/common", "app/sensor", "app/guide", "app/evidence", "tools"],
     "app": None,    # joins everything
     "tests": None,
 }

@@ -11,8 +11,8 @@
 
 #include "app/application/job_thread.h"
 #include "app/runner/command_queue.h"
-#include "app/runner/find_in_picture.h"
 #include "app/runner/mailbox.h"
+#include "vision/live/find_in_picture.h"
 
 namespace spool {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/runner/surface_agreement.h"
+#include "vision/live/surface_agreement.h"
 
 namespace spool {
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "app/runner/vision_state.h"
 #include "app/ui/layout.h"
 #include "render/imgui_pass.h"
 #include "render/offscreen.h"
 #include "render/overlay.h"
 #include "render/view.h"
 #include "vision/inspector.h"
+#include "vision/live/vision_state.h"
 
 struct ImDrawData;
 

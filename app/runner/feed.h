@@ -9,7 +9,7 @@
 
 #include "app/runner/sensor_thread.h"
 #include "app/runner/vision_runner.h"
-#include "app/runner/vision_state.h"
+#include "vision/live/vision_state.h"
 
 namespace spool {
 

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "app/runner/command_queue.h"
-#include "app/runner/frame_processor.h"
 #include "app/runner/mailbox.h"
 #include "app/runner/sensor_thread.h"
+#include "vision/live/frame_processor.h"
 
 namespace spool {
 

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/common/cli.h"
+#include "tools/campaign/quantile.h"
 #include "tools/campaign/track_trial.h"
 
 namespace spool::campaign {
@@ -24,17 +25,6 @@ struct Wanted {
   int seeds = 3, first = 1, frames = 0;
   bool each = false;
 };
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1,
-                         static_cast<std::size_t>(q * static_cast<double>(values.size())))];
-}
-
-double percent(std::size_t part, std::size_t whole) {
-  return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
-}
 
 struct Tally {
   std::size_t seen = 0, lost = 0, good = 0, within = 0, good_and_within = 0, wrong_good = 0;

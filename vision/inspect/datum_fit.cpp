@@ -18,12 +18,16 @@ constexpr float kLeastAlike = 0.7F;         // cosine between a reading's normal
 constexpr double kContradiction = 16.81;    // chi-squared, 6 degrees of freedom, 1 %
 constexpr std::size_t kFewestOfAPart = 10;  // readings; fewer say nothing of its place
 
-Matrix6d information_of(const Eigen::Vector3d& at, double sigma_m, double sigma_rad) {
-  Vector6d diagonal;
-  diagonal << Eigen::Vector3d::Constant(1 / (sigma_m * sigma_m)),
-      Eigen::Vector3d::Constant(1 / (sigma_rad * sigma_rad));
+// Of motions at `at` with these standard deviations, those along and about `free` not held.
+Matrix6d information_of(const Eigen::Vector3d& at, double sigma_m, double sigma_rad,
+                        const Eigen::Vector3d& free = Eigen::Vector3d::Zero()) {
+  constexpr double kLeft = 1e-6;  // of the information along `free`: as good as none
+  const Eigen::Matrix3d held = Eigen::Matrix3d::Identity() - (1 - kLeft) * free * free.transpose();
+  Matrix6d there = Matrix6d::Zero();
+  there.topLeftCorner<3, 3>() = held / (sigma_m * sigma_m);
+  there.bottomRightCorner<3, 3>() = held / (sigma_rad * sigma_rad);
   const Matrix6d a = motion_told_at(at);
-  return a.transpose() * diagonal.asDiagonal() * a;
+  return a.transpose() * there * a;
 }
 
 // What is left of b^T information^-1 b for the best motion: the squared misfit that one explains.
@@ -47,7 +51,7 @@ Eigen::Vector3d middle_of(const DesignModel& design, int part) {
 DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
     : options_(options),
       allowance2_(design.parts.size(), 0.0F),
-      prior_(information_of(design.bounds().center(), options.prior_m, options.prior_rad)),
+      prior_{information_of(design.bounds().center(), options.prior_m, options.prior_rad)},
       own_(design.parts.size()),
       matches_(design.parts.size()) {
   if (design.datums.empty()) return;
@@ -65,7 +69,10 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
   }
 }
 
-void DatumFit::clear() { std::fill(own_.begin(), own_.end(), MotionKnowledge{}); }
+void DatumFit::clear() {
+  std::fill(own_.begin(), own_.end(), MotionKnowledge{});
+  prior_.gradient.setZero();
+}
 
 void DatumFit::add(const DatumReadings& readings) {
   const Deviations& deviations = readings.deviations;
@@ -106,9 +113,13 @@ void DatumFit::add(const DatumReadings& readings) {
 }
 
 // What the far side says of the near one: the joint adds its own variance.
-MotionKnowledge DatumFit::through(const JointBranch& joint, const MotionKnowledge& beyond) const {
+MotionKnowledge DatumFit::through(const JointBranch& joint, Hold hold,
+                                  const MotionKnowledge& beyond) const {
+  if (hold == Hold::kNone) return {};
+  const Eigen::Vector3d axis = hold == Hold::kButAxis ? joint.frame.outward.cast<double>()
+                                                      : Eigen::Vector3d(Eigen::Vector3d::Zero());
   const Matrix6d stiffness =
-      information_of(joint.frame.point.cast<double>(), options_.joint_m, options_.joint_rad);
+      information_of(joint.frame.point.cast<double>(), options_.joint_m, options_.joint_rad, axis);
   // (information^-1 + stiffness^-1)^-1 without inverting what may be singular.
   const Matrix6d lost = beyond.information * (beyond.information + stiffness).inverse();
   MotionKnowledge told;
@@ -116,6 +127,15 @@ MotionKnowledge DatumFit::through(const JointBranch& joint, const MotionKnowledg
   told.information = 0.5 * (told.information + told.information.transpose()).eval();
   told.gradient = beyond.gradient - lost * beyond.gradient;
   return told;
+}
+
+// The squared misfit, in standard deviations, that no one motion explains for both.
+double DatumFit::contradiction(const MotionKnowledge& a, const MotionKnowledge& b) const {
+  // What holds nothing would make the sums singular; this is next to nothing.
+  const Matrix6d ridge = 1e-3 * prior_.information;
+  return explained(a.information + ridge, a.gradient) +
+         explained(b.information + ridge, b.gradient) -
+         explained(a.information + b.information + 2 * ridge, a.gradient + b.gradient);
 }
 
 DatumEstimate DatumFit::solve() const {
@@ -126,36 +146,39 @@ DatumEstimate DatumFit::solve() const {
     for (const MotionKnowledge& knowledge : own_) all += knowledge;
   } else {
     std::vector<MotionKnowledge> belief = own_;
-    std::vector<std::uint8_t> is_out(tree_.size(), 0);
+    std::vector<std::uint8_t> is_as_drawn(tree_.size(), 1);
     for (std::size_t i = tree_.size(); i-- > 0;) {
-      const MotionKnowledge told =
-          through(tree_[i], belief[static_cast<std::size_t>(tree_[i].part_far)]);
+      const MotionKnowledge& far = belief[static_cast<std::size_t>(tree_[i].part_far)];
       MotionKnowledge& near = belief[static_cast<std::size_t>(tree_[i].part_near)];
-      const double misfit =
-          explained(told.information + prior_, told.gradient) +
-          explained(near.information + prior_, near.gradient) -
-          explained(told.information + near.information + prior_, told.gradient + near.gradient);
-      is_out[i] = misfit > kContradiction ? 1 : 0;
-      if (is_out[i] == 0) near += told;
+      for (const Hold hold : {Hold::kAsDrawn, Hold::kButAxis, Hold::kNone}) {
+        const MotionKnowledge told = through(tree_[i], hold, far);
+        is_as_drawn[i] = hold == Hold::kAsDrawn ? 1 : 0;
+        if (hold != Hold::kNone && contradiction(told, near) > kContradiction) continue;
+        near += told;
+        break;
+      }
     }
     estimate.counts[static_cast<std::size_t>(root_)] = 1;
     for (std::size_t i = 0; i < tree_.size(); ++i)
       estimate.counts[static_cast<std::size_t>(tree_[i].part_far)] =
-          is_out[i] == 0 ? estimate.counts[static_cast<std::size_t>(tree_[i].part_near)] : 0;
+          is_as_drawn[i] != 0 ? estimate.counts[static_cast<std::size_t>(tree_[i].part_near)] : 0;
     all = belief[static_cast<std::size_t>(root_)];
   }
-  const Eigen::LDLT<Matrix6d> solver(all.information + prior_);
+  // As designed: the same without the joints' variance, and of parts that are as drawn alone.
+  MotionKnowledge rigid = prior_;
+  for (std::size_t part = 0; part < own_.size(); ++part)
+    if (estimate.counts[part] != 0) rigid += own_[part];
+  estimate.covariance_as_designed = rigid.information.ldlt().solve(Matrix6d::Identity());
+  all += prior_;
+  const Eigen::LDLT<Matrix6d> solver(all.information);
   estimate.step = solver.solve(all.gradient);
   estimate.covariance = solver.solve(Matrix6d::Identity());
-  Matrix6d rigid = prior_;
-  for (std::size_t part = 0; part < own_.size(); ++part)
-    if (estimate.counts[part] != 0) rigid += own_[part].information;
-  estimate.covariance_as_designed = rigid.ldlt().solve(Matrix6d::Identity());
   return estimate;
 }
 
 void DatumFit::follow(const Vector6d& step) {
   for (MotionKnowledge& knowledge : own_) knowledge.gradient -= knowledge.information * step;
+  prior_.gradient -= prior_.information * step;
 }
 
 }  // namespace spool

@@ -19,7 +19,8 @@ struct DatumFitOptions {
   // Standard deviations of a joint as built: half of what PFI ES-3 allows (3 mm; 3/64 in a foot).
   double joint_m = 0.0015;
   double joint_rad = 0.002;
-  // What was known before any reading, of the datum at the design's middle.
+  // What was known before any reading, of the datum at the design's middle: where clear() was
+  // called.
   double prior_m = 0.02;
   double prior_rad = 0.05;
   double memory_s = 3;             // after so long a reading counts for 1/e
@@ -43,15 +44,16 @@ struct DatumEstimate {
   // The same were every joint of the parts that count exactly as designed: how well the design's
   // place is known, in place of the datum's.
   Matrix6d covariance_as_designed = Matrix6d::Zero();
-  // One a part: it is where the datum and its joints let it be. Others say nothing of the datum.
+  // One a part: it is where the datum and its joints let it be.
   std::vector<std::uint8_t> counts;
 };
 
 // Belief propagation (Pearl 1988) on the tree of joints: each part's own readings hold it (point to
-// plane), each joint lets the next part be off by the trade's tolerance, and what contradicts the
-// side of the datum (chi-squared, 1 %) is taken for wrongly built and left out with all that hangs
-// on it. So a wrong part cannot pull the pose by which it is judged. Without datums or joints the
-// design is one rigid body. Use from one thread at a time.
+// plane), and each joint lets the next part be off by the trade's tolerance. Where what hangs on a
+// joint contradicts the side of the datum (chi-squared, 1 %), it was turned about the joint's axis
+// or cut to another length, and says nothing of those two motions; where it contradicts even so, it
+// says nothing at all. So a wrong part cannot pull the pose by which it is judged. Without datums
+// or joints the design is one rigid body. Use from one thread at a time.
 class DatumFit {
  public:
   explicit DatumFit(const DesignModel& design, const DatumFitOptions& options = {});
@@ -63,14 +65,16 @@ class DatumFit {
   void follow(const Vector6d& step);
 
  private:
-  [[nodiscard]] MotionKnowledge through(const JointBranch& joint,
+  enum class Hold { kAsDrawn, kButAxis, kNone };
+  [[nodiscard]] MotionKnowledge through(const JointBranch& joint, Hold hold,
                                         const MotionKnowledge& beyond) const;
+  [[nodiscard]] double contradiction(const MotionKnowledge& a, const MotionKnowledge& b) const;
 
   DatumFitOptions options_;
   std::vector<JointBranch> tree_;  // empty: one rigid body
   int root_ = 0;
   std::vector<float> allowance2_;  // m^2; of a part's place as built, one a part
-  Matrix6d prior_ = Matrix6d::Zero();
+  MotionKnowledge prior_;
   std::vector<MotionKnowledge> own_;                  // one a part, at the design origin
   std::vector<std::vector<Correspondence>> matches_;  // scratch, one a part
 };

@@ -191,6 +191,50 @@ TEST_F(FindBench, ALostSpoolIsFoundAgainByOnePress) {
   expect_tracked_to_the_truth();
 }
 
+// Turned on its rolls, carried off: no tap is asked for.
+TEST_F(FindBench, ASpoolSetDownElsewhereIsAlignedAgainByItself) {
+  const auto shop = [](const Pose& T_shop_design, int i) {
+    return test::frame_step(test::render_in_workshop(test::prepared_bracket().get(), T_shop_design,
+                                                     test::T_design_camera(), i));
+  };
+  Pose elsewhere(Eigen::AngleAxisd(1.3, Eigen::Vector3d::UnitZ()));
+  const Eigen::Vector3d middle(0.2, 0.1, 0);
+  elsewhere.translation() = middle - elsewhere.linear() * middle;
+  std::vector<test::Step> steps;
+  for (int i = 0; i < 20; ++i) steps.push_back(shop(Pose::Identity(), i));
+  for (int i = 20; i < 70; ++i) steps.push_back(shop(elsewhere, i));
+  start(std::move(steps));
+  press("Find");
+  expect_tracked_to_the_truth();
+  bool was_lost = false;
+  int back = 0;  // frames from there on
+  for (int i = 0; i < 70 && !app_->source_has_ended(); ++i) {
+    step();
+    was_lost = was_lost || screen_["tracking"] == "lost";
+    if (was_lost && screen_["tracking"] == "good" && back == 0) back = i;
+  }
+  EXPECT_TRUE(was_lost);
+  EXPECT_EQ(screen_["screen"], "work");
+  EXPECT_EQ(screen_["tracking"], "good") << hint();
+  EXPECT_GT(back, 0);
+  // The last row of the poses is where the camera really is to the bracket.
+  std::string text = app_->poses().text();
+  text.pop_back();
+  const std::string row = text.substr(text.rfind('\n') + 1);
+  std::vector<double> numbers;
+  std::size_t at = row.find("good,");
+  ASSERT_NE(at, std::string::npos) << row;
+  at += 5;
+  while (numbers.size() < 16) {
+    numbers.push_back(std::stod(row.substr(at)));
+    at = row.find(',', at) + 1;
+  }
+  const auto T = pose_from_row_major(numbers);
+  ASSERT_TRUE(T.has_value());
+  const PoseSize off = pose_size((elsewhere.inverse() * test::T_design_camera()).inverse() * *T);
+  EXPECT_LT(off.translation_m, 0.003);
+}
+
 TEST_F(FindBench, AChoiceIsSteppedThroughAndTheAcceptedOneIsAligned) {
   design_ = test::prepared_plate();
   start(standing_still(12, *design_));

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/runner/frame_processor.h"
 #include "tests/app/runner/simulated_scene.h"
 #include "tests/support/cancelling.h"
+#include "vision/live/frame_processor.h"
 
 namespace spool {
 namespace {

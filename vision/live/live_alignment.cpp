@@ -1,7 +1,7 @@
 // Keeps the design where the spool is while the camera is followed through the scene.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/runner/live_alignment.h"
+#include "vision/live/live_alignment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,11 @@ namespace spool {
 
 namespace {
 
-constexpr double kNoises = 3;  // of a point: the datum fit follows what is nearer by itself
+// Frames on end look from nearly the same place and err alike: by spoolsight-live-campaign
+// (BENCHMARKS).
+constexpr double kFramesWorthOne = 4;
+constexpr double kClearly = 0.05;  // more of the surface in sight is seen there
+constexpr double kNoises = 3;      // of a point: the datum fit follows what is nearer by itself
 
 // At most `limit` of the points in the box at pose T, spread evenly over the order they stand in.
 PointCloud some_in(const Eigen::AlignedBox3f& box, const Eigen::Isometry3f& T,
@@ -37,7 +41,7 @@ LiveAlignment::LiveAlignment(std::shared_ptr<const PreparedDesign> design, const
       camera_(camera),
       noise_(noise),
       reading_noise_(noise, seen_by),
-      correlated_(correlated_readings(seen_by, 1)),
+      correlated_(kFramesWorthOne * correlated_readings(seen_by, 1)),
       options_(options),
       bounds_(design_->model.bounds()),
       datum_(design_->model) {}
@@ -113,6 +117,7 @@ void LiveAlignment::forget() {
   datum_.clear();
   known_ = {};
   seconds_.reset();
+  T_apart_of_late_.reset();
   missed_ = moved_ = 0;
 }
 
@@ -130,9 +135,21 @@ LiveAlignment::Place LiveAlignment::place(const PointCloud& scan, const DepthFra
   if (here.is_believed && ++looks_ % options_.frames_a_check != 0) return place;
   DesignFit near =
       fitted(scan, frame, here.T_design_camera, options_.check_points, options_.check_iterations);
-  moved_ = near.is_believed && is_elsewhere(near, here) ? moved_ + 1 : 0;
+  near.agreement = agreement(frame, near.T_design_camera, slack_m());  // by the same gate
+  const Pose T_there = near.T_design_camera * T_map_camera.inverse();
+  const bool is_new = moved_ == 0 || apart_m(T_there, T_elsewhere_) > kNoises * near.point_noise_m;
+  // A spool that is not as drawn fits elsewhere by much the same from check to check; a bump is
+  // sudden.
+  const Pose T_apart = near.T_design_camera * here.T_design_camera.inverse();
+  const bool is_sudden = T_apart_of_late_ && apart_m(T_apart, *T_apart_of_late_) >
+                                                 kNoises * here.point_noise_m + slack_m();
+  const bool says_so =
+      near.is_believed && is_elsewhere(near, here) && (is_sudden || !here.is_believed);
+  if (!says_so) T_apart_of_late_ = T_apart;
+  moved_ = !says_so ? 0 : is_new ? 1 : moved_ + 1;
+  T_elsewhere_ = T_there;
   if (moved_ >= options_.checks_to_notice) {
-    set(near.T_design_camera * T_map_camera.inverse());
+    set(T_there);
     place.fit = std::move(near);
     place.was_moved = true;
     return place;
@@ -143,19 +160,24 @@ LiveAlignment::Place LiveAlignment::place(const PointCloud& scan, const DepthFra
   return place;
 }
 
+// Mean displacement (m) of the design from one pose to another, nearly.
+double LiveAlignment::apart_m(const Pose& a, const Pose& b) const {
+  const Pose apart = a * b.inverse();
+  return (apart * bounds_.center() - bounds_.center()).norm() +
+         pose_size(apart).rotation_rad * 0.25 * bounds_.diagonal().norm();
+}
+
 // Further off than the datum fit follows by itself, and clearly more of the parts that the datum is
 // known by is seen there: by more than two standard deviations of so many samples.
 bool LiveAlignment::is_elsewhere(const DesignFit& there, const DesignFit& here) const {
-  const Pose apart = there.T_design_camera * here.T_design_camera.inverse();
-  const double off = (apart * bounds_.center() - bounds_.center()).norm() +
-                     pose_size(apart).rotation_rad * 0.25 * bounds_.diagonal().norm();
+  const double off = apart_m(there.T_design_camera, here.T_design_camera);
   const SurfaceAgreement& of = here.agreement;
   const auto measured =
       static_cast<double>(std::max<std::size_t>(1, of.seen + of.seen_through + of.hidden));
   const double share = of.share_in_sight();
   const double chance = std::sqrt(share * (1 - share) / measured) + 1 / measured;
-  return off > kNoises * here.point_noise_m &&
-         there.agreement.share_in_sight() > share + 2 * chance;
+  return off > kNoises * here.point_noise_m + slack_m() &&
+         there.agreement.share_in_sight() > share + std::max(kClearly, 2 * chance);
 }
 
 void LiveAlignment::refine(const VisionState& state) {

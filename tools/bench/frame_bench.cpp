@@ -15,10 +15,10 @@
 
 #include "app/common/cli.h"
 #include "app/common/json_file.h"
-#include "app/runner/frame_processor.h"
 #include "app/sensor/depth_source.h"
 #include "vision/core/version.h"
 #include "vision/design/design_reader.h"
+#include "vision/live/frame_processor.h"
 
 namespace spool {
 namespace {

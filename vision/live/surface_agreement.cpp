@@ -1,7 +1,7 @@
 // Is the design where the frame says it is.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/runner/surface_agreement.h"
+#include "vision/live/surface_agreement.h"
 
 #include <algorithm>
 #include <cmath>

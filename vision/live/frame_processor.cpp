@@ -1,7 +1,7 @@
 // One frame in, one state out.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/runner/frame_processor.h"
+#include "vision/live/frame_processor.h"
 
 #include <algorithm>
 #include <cmath>

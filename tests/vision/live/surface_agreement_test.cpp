@@ -1,7 +1,7 @@
 // Claims about the agreement of expected surface and measured depth.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/runner/surface_agreement.h"
+#include "vision/live/surface_agreement.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/runner/vision_state.h"
 #include "vision/core/camera.h"
 #include "vision/core/cancel.h"
 #include "vision/find/finder_model.h"
 #include "vision/inspector.h"
+#include "vision/live/vision_state.h"
 #include "vision/scan/noise_model.h"
 
 namespace spool {

@@ -1,14 +1,14 @@
 // Where the design is in one picture of the camera.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/runner/find_in_picture.h"
+#include "vision/live/find_in_picture.h"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "app/runner/frame_processor.h"
 #include "vision/inspect/scan_alignment.h"
+#include "vision/live/frame_processor.h"
 #include "vision/scan/back_projection.h"
 
 namespace spool {

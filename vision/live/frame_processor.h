@@ -6,12 +6,12 @@
 #include <memory>
 #include <optional>
 
-#include "app/runner/live_alignment.h"
-#include "app/runner/vision_state.h"
 #include "vision/align/tracker.h"
 #include "vision/core/camera.h"
 #include "vision/core/result.h"
 #include "vision/inspector.h"
+#include "vision/live/live_alignment.h"
+#include "vision/live/vision_state.h"
 #include "vision/scan/noise_model.h"
 
 namespace spool {

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "app/runner/surface_agreement.h"
-#include "app/runner/vision_state.h"
 #include "vision/align/icp.h"
 #include "vision/core/camera.h"
 #include "vision/inspect/datum_fit.h"
 #include "vision/inspector.h"
+#include "vision/live/surface_agreement.h"
+#include "vision/live/vision_state.h"
 #include "vision/scan/noise_model.h"
 #include "vision/scan/reading_noise.h"
 
@@ -95,6 +95,7 @@ class LiveAlignment {
                                            double slack_m) const;
   [[nodiscard]] bool is_in_sight(const SurfaceAgreement& agreement) const;
   [[nodiscard]] double slack_m() const;
+  [[nodiscard]] double apart_m(const Pose& a, const Pose& b) const;
   [[nodiscard]] bool is_elsewhere(const DesignFit& there, const DesignFit& here) const;
   [[nodiscard]] double noise_at(const Pose& T_camera_design) const;
 
@@ -109,9 +110,11 @@ class LiveAlignment {
   std::optional<Pose> T_design_map_;
   DatumEstimate known_;  // of late
   int looks_ = 0;
-  int moved_ = 0;                  // checks on end that show it elsewhere
-  int missed_ = 0;                 // frames on end that do not show it
-  std::optional<double> seconds_;  // of the readings last taken in
+  Pose T_elsewhere_ = Pose::Identity();  // T_design_map that the last check says
+  std::optional<Pose> T_apart_of_late_;  // of such fits from where the design is
+  int moved_ = 0;                        // checks on end that show it elsewhere
+  int missed_ = 0;                       // frames on end that do not show it
+  std::optional<double> seconds_;        // of the readings last taken in
 };
 
 }  // namespace spool

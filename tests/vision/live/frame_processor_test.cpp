@@ -1,7 +1,7 @@
 // Claims about keeping a pose from frame to frame, against known truth.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/runner/frame_processor.h"
+#include "vision/live/frame_processor.h"
 
 #include <cmath>
 #include <vector>

@@ -2,7 +2,7 @@
 // apart.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/runner/find_in_picture.h"
+#include "vision/live/find_in_picture.h"
 
 #include <algorithm>
 #include <map>
@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/runner/frame_processor.h"
 #include "tests/app/runner/simulated_scene.h"
+#include "vision/live/frame_processor.h"
 
 namespace spool {
 namespace {
