@@ -213,8 +213,12 @@ void FrameProcessor::Impl::place_design(const PointCloud& cloud, VisionState& st
   show(place.fit, state);
   measure(state);
   clock.mark("deviation");
-  if (state.camera == PoseQuality::kGood) alignment.refine(state);
+  if (state.camera == PoseQuality::kGood && !place.is_doubtful) alignment.refine(state);
   grade(state);
+  if (place.is_doubtful) {
+    state.quality = TrackQuality::kPoor;
+    state.hint = "Unsure: the spool may have been moved.";
+  }
   clock.mark("refine");
 }
 

@@ -132,7 +132,7 @@ LiveAlignment::Place LiveAlignment::place(const PointCloud& scan, const DepthFra
   const bool can_tell = is_in_sight(here.agreement);  // else it is taken to be where it was
   here.is_believed = !can_tell || here.agreement.share() >= options_.least_agreement;
   missed_ = here.is_believed ? 0 : missed_ + 1;
-  if (here.is_believed && ++looks_ % options_.frames_a_check != 0) return place;
+  if (here.is_believed && moved_ == 0 && ++looks_ % options_.frames_a_check != 0) return place;
   DesignFit near =
       fitted(scan, frame, here.T_design_camera, options_.check_points, options_.check_iterations);
   near.agreement = agreement(frame, near.T_design_camera, slack_m());  // by the same gate
@@ -154,6 +154,7 @@ LiveAlignment::Place LiveAlignment::place(const PointCloud& scan, const DepthFra
     place.was_moved = true;
     return place;
   }
+  place.is_doubtful = moved_ > 0;
   if (here.is_believed) return place;
   here.hint = "The spool is not where it was: look at all of it, or press Find.";
   place.is_gone = missed_ >= options_.frames_to_search;

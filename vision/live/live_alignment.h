@@ -80,7 +80,8 @@ class LiveAlignment {
   struct Place {
     DesignFit fit;
     bool was_moved = false;
-    bool is_gone = false;  // it has to be looked for everywhere
+    bool is_doubtful = false;  // it may just have been moved: the next frames tell
+    bool is_gone = false;      // it has to be looked for everywhere
   };
   [[nodiscard]] Place place(const PointCloud& scan, const DepthFrame& frame,
                             const Pose& T_map_camera);
