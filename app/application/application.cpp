@@ -103,17 +103,19 @@ std::optional<double> Application::advance() {
   const double before = state_ ? state_->frame->seconds : next->frame->seconds;
   const bool answered = awaiting_alignment_ && next->alignment >= alignments_asked_;
   state_ = std::move(next);
+  bool was_moved = state_->was_moved;
   if (answered) {
     awaiting_alignment_ = false;
     aligned_ = state_->quality != TrackQuality::kUnaligned;
     if (aligned_) {
+      was_moved = screen_ == ui::Screen::kWork;  // nobody asked for it but the spool
       leave_align();
     } else if (asked_by_ == AlignMethod::kFind) {
       refuse_found();
     }
   }
   if (state_->is_tracked()) last_tracked_ = state_;
-  if (state_->was_moved) notice("The spool was moved: aligned again where it lies now.");
+  if (was_moved) notice("The spool was moved: aligned again where it lies now.");
   look_for_moved_spool();
   return std::max(0.0, state_->frame->seconds - before);
 }

@@ -55,7 +55,6 @@ void Application::take_moved_spool() {
   no_search_before_s_ = searched->frame->seconds + kSearchAgainSeconds;
   if (screen_ != ui::Screen::kWork || awaiting_alignment_ || answer->poses.size() != 1) return;
   ask_for_alignment(searched, answer->poses.front()->T_design_camera, AlignMethod::kFind);
-  notice("The spool was moved: aligned again where it lies now.");
 }
 
 void Application::take_find() {

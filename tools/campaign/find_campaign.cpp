@@ -13,8 +13,10 @@
 #include <CLI/CLI.hpp>
 
 #include "app/common/cli.h"
+#include "tools/campaign/campaign_options.h"
 #include "tools/campaign/find_rows.h"
 #include "tools/campaign/find_trial.h"
+#include "tools/campaign/quantile.h"
 #include "vision/find/finder.h"
 #include "vision/scan/point_index.h"
 
@@ -115,18 +117,12 @@ bool is_moot(const Scene& scene) {
   return false;
 }
 
-struct Saying {
-  bool each = false, tried = false;
-};
-
-struct Wanted {
-  std::string filter;
-  int seeds = 10, first = 1;
+struct Wanted : CampaignOptions {
   std::optional<double> station_error_m;  // instead of the rows' own
+  bool tried = false;                     // the poses that were weighed as well
 };
 
-Result<void> run(const FindRow& row, std::uint32_t seed, const Wanted& wanted, const Saying& say,
-                 Tally& tally) {
+Result<void> run(const FindRow& row, std::uint32_t seed, const Wanted& wanted, Tally& tally) {
   SceneRequest request = row.request;
   request.station_error_m = wanted.station_error_m.value_or(request.station_error_m);
   request.seed = seed;
@@ -134,7 +130,8 @@ Result<void> run(const FindRow& row, std::uint32_t seed, const Wanted& wanted, c
   if (!trial) return trial.error();
   const Scene& scene = trial->scene;
   if (is_moot(scene)) {
-    if (say.each) std::printf("  %s %u: left out, nothing of it shows\n", row.name.c_str(), seed);
+    if (wanted.each)
+      std::printf("  %s %u: left out, nothing of it shows\n", row.name.c_str(), seed);
     return {};
   }
   const NoiseModel noise{.constant_m = trial->noise_m};
@@ -165,25 +162,18 @@ Result<void> run(const FindRow& row, std::uint32_t seed, const Wanted& wanted, c
   for (const Finding& finding : inspection->findings)
     if (!finding.part.empty())
       what += "; " + finding.kind + " " + finding.part + ": " + finding.text;
-  if (say.each) {
+  if (wanted.each) {
     std::printf("  %s %u: %s (object %zu of %zu)", row.name.c_str(), seed, what.c_str(),
                 scene.object_points, scene.cloud.size());
     for (const Defect& defect : scene.request.defects)
       std::printf(" [%s: %s %s]", name(defect.kind), defect.part.c_str(), defect.other.c_str());
     std::printf("\n");
   }
-  if (say.tried) print_tried(*trial, seed);
+  if (wanted.tried) print_tried(*trial, seed);
   return {};
 }
 
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[std::min(values.size() - 1,
-                         static_cast<std::size_t>(q * static_cast<double>(values.size())))];
-}
-
-Result<int> campaign(const Wanted& wanted, const Saying& say) {
+Result<int> campaign(const Wanted& wanted) {
   std::printf(
       "| %-21s | right | wrong | silent | ambig | named / of | misnamed | s med / max | mm med / "
       "max | "
@@ -191,10 +181,10 @@ Result<int> campaign(const Wanted& wanted, const Saying& say) {
       "max | NR med / max |\n",
       "scene");
   for (const FindRow& row : find_rows()) {
-    if (row.name.find(wanted.filter) == std::string::npos) continue;
+    if (!wanted.wants(row.name)) continue;
     Tally tally;
-    for (int seed = wanted.first; seed < wanted.first + wanted.seeds; ++seed)
-      if (auto done = run(row, static_cast<std::uint32_t>(seed), wanted, say, tally); !done)
+    for (int seed = wanted.first; seed < wanted.past_last(); ++seed)
+      if (auto done = run(row, static_cast<std::uint32_t>(seed), wanted, tally); !done)
         return done.error();
     std::printf(
         "| %-21s | %5d | %5d | %6d | %5d | %5d / %2d | %8d | %.2f / %.2f | %.2f / %.2f | %.3f | "
@@ -217,19 +207,12 @@ Result<int> campaign(const Wanted& wanted, const Saying& say) {
 int main(int argc, char** argv) {
   CLI::App app{"Finds designs in scenes of known truth and prints how often that was right."};
   spool::campaign::Wanted wanted;
-  spool::campaign::Saying say;
+  wanted.seeds = 10;
   spool::add_common_options(app, "spoolsight-find-campaign");
-  app.add_option("--rows", wanted.filter, "Only rows whose name holds this text")
-      ->type_name("TEXT");
-  app.add_option("--seeds", wanted.seeds, "Scenes of each row")
-      ->capture_default_str()
-      ->type_name("N");
-  app.add_option("--first", wanted.first, "First seed")->capture_default_str()->type_name("N");
+  spool::campaign::add_campaign_options(app, "scene", wanted);
   app.add_option("--station-error-m", wanted.station_error_m,
                  "Error of each laser station's registration, instead of 0.0006; 0: noise alone")
       ->type_name("M");
-  app.add_flag("--each", say.each, "A line for each scene");
-  app.add_flag("--tried", say.tried, "The poses that were weighed in each scene as well");
-  return spool::run_program(app, argc, argv,
-                            [&] { return spool::campaign::campaign(wanted, say); });
+  app.add_flag("--tried", wanted.tried, "The poses that were weighed in each scene as well");
+  return spool::run_program(app, argc, argv, [&] { return spool::campaign::campaign(wanted); });
 }

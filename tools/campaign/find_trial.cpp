@@ -3,26 +3,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/campaign/find_trial.h"
 
-#include <filesystem>
-#include <string>
 #include <utility>
 
-#include <unistd.h>
-
-#include "vision/core/file_io.h"
-#include "vision/design/design_reader.h"
+#include "tools/campaign/scene_design.h"
 #include "vision/scan/noise_estimate.h"
 
 namespace spool::campaign {
 
 Result<FindTrial> make_find_trial(Scene scene) {
-  const auto file =
-      std::filesystem::temp_directory_path() / ("find-trial-" + std::to_string(getpid()) + ".glb");
-  if (auto written = write_file_whole(file, scene.glb()); !written) return written.error();
-  auto model = read_design(file);
-  std::filesystem::remove(file);
-  if (!model) return model.error();
-  auto design = PreparedDesign::prepare(std::move(*model), 1, true);
+  auto design = prepare_design(scene, true);
   if (!design) return design.error();
   const double noise_m = estimate_noise(scene.cloud);
   return FindTrial{std::move(scene), std::move(*design), noise_m};

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/common/cli.h"
+#include "tools/campaign/campaign_options.h"
 #include "tools/campaign/live_trial.h"
 #include "tools/campaign/quantile.h"
 
@@ -20,12 +21,6 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kReachM = 0.003, kReachRad = 0.3 * kDegree;  // what `good` claims
 constexpr double kWrongM = 0.03, kWrongRad = 3 * kDegree;     // another place altogether
 constexpr double kSettling_s = 1;  // after the picks, and after a bump, are counted apart
-
-struct Wanted {
-  std::string filter;
-  int seeds = 3, first = 1;
-  bool each = false;
-};
 
 bool is_within(const LiveFrame& frame) {
   return frame.off_m <= kReachM && frame.off_rad <= kReachRad;
@@ -85,16 +80,16 @@ void print_frames(const std::vector<LiveFrame>& frames) {
                 frame.was_moved ? " MOVED" : "", frame.hint.c_str());
 }
 
-Result<int> campaign(const Wanted& wanted) {
+Result<int> campaign(const CampaignOptions& wanted) {
   std::printf(
       "| %-24s | runs | lost %% | mm p50 / p95 | deg p95 | good in reach %% | in reach marked good "
       "%% "
       "| wrong good | within U %% | back s median / max | ms p50 / p99 |\n",
       "sequence");
   for (const LiveRow& row : live_rows()) {
-    if (row.name.find(wanted.filter) == std::string::npos) continue;
+    if (!wanted.wants(row.name)) continue;
     Tally tally;
-    for (int seed = wanted.first; seed < wanted.first + wanted.seeds; ++seed) {
+    for (int seed = wanted.first; seed < wanted.past_last(); ++seed) {
       const auto frames = run_live(row, static_cast<std::uint32_t>(seed));
       if (!frames) {
         std::fprintf(stderr, "seed %d: %s\n", seed, frames.error().message.c_str());
@@ -126,14 +121,8 @@ int main(int argc, char** argv) {
       "Follows spools as built on hand-held sequences of known truth and prints how far off the "
       "camera's pose in "
       "the datum's frame was."};
-  spool::campaign::Wanted wanted;
+  spool::campaign::CampaignOptions wanted;
   spool::add_common_options(app, "spoolsight-live-campaign");
-  app.add_option("--rows", wanted.filter, "Only rows whose name holds this text")
-      ->type_name("TEXT");
-  app.add_option("--seeds", wanted.seeds, "Sequences of each row")
-      ->capture_default_str()
-      ->type_name("N");
-  app.add_option("--first", wanted.first, "First seed")->capture_default_str()->type_name("N");
-  app.add_flag("--each", wanted.each, "A line for each frame");
+  spool::campaign::add_campaign_options(app, "frame", wanted);
   return spool::run_program(app, argc, argv, [&] { return spool::campaign::campaign(wanted); });
 }

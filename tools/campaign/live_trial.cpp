@@ -5,32 +5,18 @@
 
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
-
-#include <unistd.h>
 
 #include "tools/campaign/depth_video.h"
 #include "tools/campaign/random.h"
+#include "tools/campaign/scene_design.h"
 #include "tools/campaign/scene_room.h"
-#include "vision/core/file_io.h"
-#include "vision/design/design_reader.h"
 #include "vision/live/frame_processor.h"
 
 namespace spool::campaign {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-
-Result<std::shared_ptr<const PreparedDesign>> prepared(const Scene& scene) {
-  const auto file =
-      std::filesystem::temp_directory_path() / ("live-trial-" + std::to_string(getpid()) + ".glb");
-  if (auto written = write_file_whole(file, scene.glb()); !written) return written.error();
-  auto model = read_design(file);
-  std::filesystem::remove(file);
-  if (!model) return model.error();
-  return PreparedDesign::prepare(std::move(*model));
-}
 
 // A motion of so much in a random direction, about `centre`.
 Pose some_motion(double length_m, double angle_rad, const Eigen::Vector3d& centre, Random& random) {
@@ -84,9 +70,9 @@ std::vector<LiveRow> live_rows() {
 Result<std::vector<LiveFrame>> run_live(const LiveRow& row, std::uint32_t seed) {
   SceneRequest request{.kind = row.kind, .seed = seed, .defects = row.defects};
   const SceneRoom room = make_room(request);
-  auto design = prepared(room.scene);
+  auto design = prepare_design(room.scene);
   if (!design) return design.error();
-  Random random(seed, kDefects);
+  Random random(seed, kBumping);
   const Pose bump = some_motion(row.bump_m, row.bump_rad, room.object.center(), random);
   const RayWorld before(room.placed);
   const RayWorld after(row.bump_at_s < 0 ? std::vector<Placed>{}

@@ -19,7 +19,8 @@ enum Stream : std::uint64_t {
   kRemoving,
   kShuffling,
   kDefects,
-  kThinning
+  kThinning,
+  kBumping
 };
 
 // The scene's truth without its points, and everything that stands there.

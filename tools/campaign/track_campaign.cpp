@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/common/cli.h"
+#include "tools/campaign/campaign_options.h"
 #include "tools/campaign/quantile.h"
 #include "tools/campaign/track_trial.h"
 
@@ -20,10 +21,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kReachM = 0.003, kReachRad = 0.3 * kDegree;  // what `good` claims
 constexpr double kWrongM = 0.03, kWrongRad = 3 * kDegree;     // another place altogether
 
-struct Wanted {
-  std::string filter;
-  int seeds = 3, first = 1, frames = 0;
-  bool each = false;
+struct Wanted : CampaignOptions {
+  int frames = 0;  // at most; 0: all
 };
 
 struct Tally {
@@ -92,9 +91,9 @@ Result<int> campaign(const Wanted& wanted) {
       "|\n",
       "sequence");
   for (const TrackRow& row : track_rows()) {
-    if (row.name.find(wanted.filter) == std::string::npos) continue;
+    if (!wanted.wants(row.name)) continue;
     Tally tally;
-    for (int seed = wanted.first; seed < wanted.first + wanted.seeds; ++seed) {
+    for (int seed = wanted.first; seed < wanted.past_last(); ++seed) {
       const TrackRun run = run_track(row, static_cast<std::uint32_t>(seed), wanted.frames);
       if (wanted.each) print_frames(run);
       add(row, run, tally);
@@ -121,15 +120,9 @@ int main(int argc, char** argv) {
   CLI::App app{"Tracks hand-held sequences of known truth and prints how far off the poses were."};
   spool::campaign::Wanted wanted;
   spool::add_common_options(app, "spoolsight-track-campaign");
-  app.add_option("--rows", wanted.filter, "Only rows whose name holds this text")
-      ->type_name("TEXT");
-  app.add_option("--seeds", wanted.seeds, "Sequences of each row")
-      ->capture_default_str()
-      ->type_name("N");
-  app.add_option("--first", wanted.first, "First seed")->capture_default_str()->type_name("N");
+  spool::campaign::add_campaign_options(app, "frame", wanted);
   app.add_option("--frames", wanted.frames, "At most so many frames of each; 0: all")
       ->capture_default_str()
       ->type_name("N");
-  app.add_flag("--each", wanted.each, "A line for each frame");
   return spool::run_program(app, argc, argv, [&] { return spool::campaign::campaign(wanted); });
 }

@@ -8,8 +8,6 @@
 #include <cmath>
 #include <optional>
 
-#include <Eigen/Eigenvalues>
-
 #include "tools/campaign/depth_video.h"
 #include "tools/campaign/scene_room.h"
 #include "vision/scan/back_projection.h"
@@ -19,11 +17,6 @@ namespace spool::campaign {
 namespace {
 
 constexpr int kParkedFrames = 40;  // filmed; then they come again
-
-double largest_sigma(const Eigen::Matrix3d& covariance) {
-  return std::sqrt(
-      std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()[2]));
-}
 
 Hook hook_before(const Eigen::AlignedBox3d& object) {
   Hook hook;

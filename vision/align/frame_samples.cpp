@@ -29,8 +29,7 @@ FrameSamples sample_frame(const SeenFrame& frame, const ReadingNoise& noise, std
       if (!is_measured(i)) continue;
       const Eigen::Vector3f& point = frame.cloud.points[i];
       const Eigen::Vector3f& normal = frame.cloud.normals[i];
-      const float facing = std::clamp(-normal.dot(point) / point.norm(), 0.0F, 1.0F);
-      chosen.samples.push_back({point, normal, noise.variance(point.z(), facing)});
+      chosen.samples.push_back({point, normal, noise.variance(point, normal)});
       variances.push_back(chosen.samples.back().variance);
     }
   if (variances.empty()) return chosen;

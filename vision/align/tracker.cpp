@@ -7,7 +7,6 @@
 #include <cassert>
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "vision/align/frame_samples.h"
@@ -27,12 +26,9 @@ constexpr double kCoverage95 = 2;  // standard uncertainties
 
 constexpr const char* kLostReason = "Lost: hold still and look where it was last seen.";
 
-double largest_sigma(const Matrix6d& covariance, int first) {
-  const Eigen::Matrix3d block = first == 0 ? Eigen::Matrix3d(covariance.topLeftCorner<3, 3>())
-                                           : Eigen::Matrix3d(covariance.bottomRightCorner<3, 3>());
-  return std::sqrt(
-      std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(block, Eigen::EigenvaluesOnly)
-                        .eigenvalues()[2]));
+bool is_within(const Matrix6d& covariance, double most_m, double most_rad) {
+  return kCoverage95 * largest_sigma(covariance.topLeftCorner<3, 3>()) <= most_m &&
+         kCoverage95 * largest_sigma(covariance.bottomRightCorner<3, 3>()) <= most_rad;
 }
 
 // Covariance of a pose that hangs on a first frame's own surface; nothing where that does not hold
@@ -156,8 +152,7 @@ void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) {
     return;
   }
   tracked.quality = PoseQuality::kPoor;
-  const bool is_sharp = kCoverage95 * largest_sigma(tracked.covariance, 0) <= options.good_m &&
-                        kCoverage95 * largest_sigma(tracked.covariance, 3) <= options.good_rad;
+  const bool is_sharp = is_within(tracked.covariance, options.good_m, options.good_rad);
   if (!fit.weak_directions.empty()) {
     tracked.reason =
         "Unsure: it may be " + fit.weak_directions.front().text + "; look where more is seen.";

@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/core/pose.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 
 namespace spool {
@@ -59,6 +61,11 @@ std::optional<Pose> pose_from_row_major(std::span<const double> numbers) {
   pose.linear() = svd.matrixU() * svd.matrixV().transpose();
   pose.translation() = m.topRightCorner<3, 1>();
   return pose;
+}
+
+double largest_sigma(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
 }
 
 }  // namespace spool

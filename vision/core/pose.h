@@ -26,6 +26,10 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;  // covariance or information in t
 // The pose that moves by `small.head<3>()` (m) after turning by `small.tail<3>()` (rad).
 [[nodiscard]] Pose pose_from_small(const Vector6d& small);
 
+// The largest standard deviation along any direction, of a covariance of three coordinates: of the
+// upper left block of a pose's in m, of the lower right one in rad.
+[[nodiscard]] double largest_sigma(const Eigen::Matrix3d& covariance);
+
 // Length (m) of the translation and angle (rad) of the rotation of `pose`.
 struct PoseSize {
   double translation_m = 0;

@@ -52,8 +52,9 @@ struct DatumEstimate {
 // plane), and each joint lets the next part be off by the trade's tolerance. Where what hangs on a
 // joint contradicts the side of the datum (chi-squared, 1 %), it was turned about the joint's axis
 // or cut to another length, and says nothing of those two motions; where it contradicts even so, it
-// says nothing at all. So a wrong part cannot pull the pose by which it is judged. Without datums
-// or joints the design is one rigid body. Use from one thread at a time.
+// says nothing at all. So a wrong part cannot pull the pose by which it is judged. Of several
+// datums it is the first. Without datums or joints the design is one rigid body. Use from one
+// thread at a time.
 class DatumFit {
  public:
   explicit DatumFit(const DesignModel& design, const DatumFitOptions& options = {});

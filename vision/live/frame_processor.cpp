@@ -8,8 +8,6 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Eigenvalues>
-
 #include "vision/core/stage_clock.h"
 #include "vision/inspect/facing.h"
 #include "vision/scan/back_projection.h"
@@ -77,9 +75,10 @@ Matrix6d turned(const Eigen::Matrix3d& rotation) {
   return both;
 }
 
-double largest_sigma(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues()[2]));
+// `covariance`: of the camera in the design's axes.
+void state_uncertainty(const Matrix6d& covariance, VisionState& state) {
+  state.pose_u_m = 2 * largest_sigma(covariance.topLeftCorner<3, 3>());
+  state.pose_u_rad = 2 * largest_sigma(covariance.bottomRightCorner<3, 3>());
 }
 
 }  // namespace
@@ -177,10 +176,9 @@ void FrameProcessor::Impl::grade(VisionState& state) const {
   const Eigen::Vector3d& eye = state.T_design_camera.translation();
   const Matrix6d at_eye = motion_told_at(eye);
   const Matrix6d to_design = turned(alignment.T_design_map().linear());
-  const Matrix6d covariance = at_eye * alignment.covariance_as_designed() * at_eye.transpose() +
-                              to_design * state.camera_covariance * to_design.transpose();
-  state.pose_u_m = 2 * largest_sigma(covariance.topLeftCorner<3, 3>());
-  state.pose_u_rad = 2 * largest_sigma(covariance.bottomRightCorner<3, 3>());
+  state_uncertainty(at_eye * alignment.covariance_as_designed() * at_eye.transpose() +
+                        to_design * state.camera_covariance * to_design.transpose(),
+                    state);
   const double good_m = options.tracker.good_m, good_rad = options.tracker.good_rad;
   const bool is_sharp = state.pose_u_m <= good_m && state.pose_u_rad <= good_rad;
   const bool is_settled = alignment.is_settled(eye, good_m, good_rad);
@@ -233,24 +231,24 @@ void FrameProcessor::Impl::hold_by_spool(const PointCloud& cloud, VisionState& s
   const DesignFit fit = alignment.fit(state.scan, *state.frame, guess);
   clock.mark("place");
   if (!fit.is_believed) return;
-  const std::string camera_hint = std::exchange(state.hint, "");
+  const Matrix6d at_eye = motion_told_at(fit.T_design_camera.translation());
+  const Matrix6d covariance = at_eye * fit.covariance * at_eye.transpose();
   if (fit.is_held && has_map) {
     const Pose T_map_design = alignment.T_design_map().inverse();
+    const Matrix6d to_map = turned(T_map_design.linear());
     state.T_map_camera = T_map_design * fit.T_design_camera;
-    const Matrix6d to_map =
-        turned(T_map_design.linear()) * motion_told_at(fit.T_design_camera.translation());
-    state.camera_covariance = to_map * fit.covariance * to_map.transpose();
+    state.camera_covariance = to_map * covariance * to_map.transpose();
     tracker.tell({cloud, small, noise, state.frame->seconds}, state.T_map_camera,
                  state.camera_covariance);
   }
   show(fit, state);
   measure(state);
   clock.mark("deviation");
-  grade(state);
+  state_uncertainty(covariance, state);
   const bool is_good = !(is_lost && has_map) && fit.is_held && state.agreement >= kGoodAgreement &&
                        fit.rms_m <= kGoodNoises * fit.point_noise_m;
   state.quality = is_good ? TrackQuality::kGood : TrackQuality::kPoor;
-  state.hint = is_good ? "" : camera_hint;
+  if (is_good) state.hint.clear();
 }
 
 void FrameProcessor::Impl::measure(VisionState& state) const {

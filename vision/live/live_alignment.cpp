@@ -41,7 +41,7 @@ LiveAlignment::LiveAlignment(std::shared_ptr<const PreparedDesign> design, const
       camera_(camera),
       noise_(noise),
       reading_noise_(noise, seen_by),
-      correlated_(kFramesWorthOne * correlated_readings(seen_by, 1)),
+      correlated_(correlated_readings(seen_by, 1)),
       options_(options),
       bounds_(design_->model.bounds()),
       datum_(design_->model) {}
@@ -128,28 +128,13 @@ LiveAlignment::Place LiveAlignment::place(const PointCloud& scan, const DepthFra
   here.T_design_camera = *T_design_map_ * T_map_camera;
   here.point_noise_m = noise_at(here.T_design_camera.inverse());
   here.agreement = agreement(frame, here.T_design_camera, slack_m());
-  here.is_believed = true;
   const bool can_tell = is_in_sight(here.agreement);  // else it is taken to be where it was
   here.is_believed = !can_tell || here.agreement.share() >= options_.least_agreement;
   missed_ = here.is_believed ? 0 : missed_ + 1;
   if (here.is_believed && moved_ == 0 && ++looks_ % options_.frames_a_check != 0) return place;
-  DesignFit near =
-      fitted(scan, frame, here.T_design_camera, options_.check_points, options_.check_iterations);
-  near.agreement = agreement(frame, near.T_design_camera, slack_m());  // by the same gate
-  const Pose T_there = near.T_design_camera * T_map_camera.inverse();
-  const bool is_new = moved_ == 0 || apart_m(T_there, T_elsewhere_) > kNoises * near.point_noise_m;
-  // A spool that is not as drawn fits elsewhere by much the same from check to check; a bump is
-  // sudden.
-  const Pose T_apart = near.T_design_camera * here.T_design_camera.inverse();
-  const bool is_sudden = T_apart_of_late_ && apart_m(T_apart, *T_apart_of_late_) >
-                                                 kNoises * here.point_noise_m + slack_m();
-  const bool says_so =
-      near.is_believed && is_elsewhere(near, here) && (is_sudden || !here.is_believed);
-  if (!says_so) T_apart_of_late_ = T_apart;
-  moved_ = !says_so ? 0 : is_new ? 1 : moved_ + 1;
-  T_elsewhere_ = T_there;
+  DesignFit near = check(scan, frame, T_map_camera, here);
   if (moved_ >= options_.checks_to_notice) {
-    set(T_there);
+    set(T_elsewhere_);
     place.fit = std::move(near);
     place.was_moved = true;
     return place;
@@ -159,6 +144,28 @@ LiveAlignment::Place LiveAlignment::place(const PointCloud& scan, const DepthFra
   here.hint = "The spool is not where it was: look at all of it, or press Find.";
   place.is_gone = missed_ >= options_.frames_to_search;
   return place;
+}
+
+// Fits the design anew and counts in `moved_` how often on end that put the spool elsewhere, at the
+// same place. A spool that is not as drawn fits elsewhere by much the same from check to check; a
+// bump is sudden.
+DesignFit LiveAlignment::check(const PointCloud& scan, const DepthFrame& frame,
+                               const Pose& T_map_camera, const DesignFit& here) {
+  DesignFit near =
+      fitted(scan, frame, here.T_design_camera, options_.check_points, options_.check_iterations);
+  near.agreement = agreement(frame, near.T_design_camera, slack_m());  // by the same gate
+  const double near_by = kNoises * here.point_noise_m;
+  const Pose T_there = near.T_design_camera * T_map_camera.inverse();
+  const Pose T_apart = near.T_design_camera * here.T_design_camera.inverse();
+  const bool is_new = moved_ == 0 || apart_m(T_there, T_elsewhere_) > near_by;
+  const bool is_sudden =
+      T_apart_of_late_ && apart_m(T_apart, *T_apart_of_late_) > near_by + slack_m();
+  const bool says_so =
+      near.is_believed && is_elsewhere(near, here) && (is_sudden || !here.is_believed);
+  if (!says_so) T_apart_of_late_ = T_apart;
+  moved_ = !says_so ? 0 : is_new ? 1 : moved_ + 1;
+  T_elsewhere_ = T_there;
+  return near;
 }
 
 // Mean displacement (m) of the design from one pose to another, nearly.
@@ -183,15 +190,14 @@ bool LiveAlignment::is_elsewhere(const DesignFit& there, const DesignFit& here) 
 
 void LiveAlignment::refine(const VisionState& state) {
   std::vector<float> variances(state.scan.size());
-  for (std::size_t i = 0; i < variances.size(); ++i) {
-    const Eigen::Vector3f& point = state.scan.points[i];
-    const float facing = std::clamp(-state.scan.normals[i].dot(point) / point.norm(), 0.0F, 1.0F);
-    variances[i] = reading_noise_.variance(point.z(), facing);
-  }
+  for (std::size_t i = 0; i < variances.size(); ++i)
+    if (state.deviations.part[i] >= 0)
+      variances[i] = reading_noise_.variance(state.scan.points[i], state.scan.normals[i]);
   const double now = state.frame->seconds;
   const double passed = seconds_ && std::isfinite(now) ? std::max(0.0, now - *seconds_) : 0.0;
   if (std::isfinite(now)) seconds_ = now;
-  datum_.add({CloudView(state.scan_design), state.deviations, variances, correlated_, passed});
+  datum_.add({CloudView(state.scan_design), state.deviations, variances,
+              kFramesWorthOne * correlated_, passed});
   known_ = datum_.solve();
   T_design_map_ = moved_about(Eigen::Vector3d::Zero(), known_.step, *T_design_map_);
   datum_.follow(known_.step);

@@ -48,8 +48,8 @@ struct DesignFit {
 
 // T_design_map: the scene carries the camera's pose (vision/align/tracker) and this the design's
 // place in the scene. It follows the datum (vision/inspect/datum_fit) while readings come in. A
-// spool that was moved is noticed by its surface being looked through where the scene still fits,
-// and fitted again from there. One thread at a time.
+// spool that was moved is noticed by fits that suddenly put it elsewhere, where more of it shows,
+// and aligned there. One thread at a time.
 class LiveAlignment {
  public:
   // `seen_by`: the camera of the thinned pictures that the points come from.
@@ -96,6 +96,8 @@ class LiveAlignment {
                                            double slack_m) const;
   [[nodiscard]] bool is_in_sight(const SurfaceAgreement& agreement) const;
   [[nodiscard]] double slack_m() const;
+  [[nodiscard]] DesignFit check(const PointCloud& scan, const DepthFrame& frame,
+                                const Pose& T_map_camera, const DesignFit& here);
   [[nodiscard]] double apart_m(const Pose& a, const Pose& b) const;
   [[nodiscard]] bool is_elsewhere(const DesignFit& there, const DesignFit& here) const;
   [[nodiscard]] double noise_at(const Pose& T_camera_design) const;
@@ -104,7 +106,7 @@ class LiveAlignment {
   Camera camera_;
   NoiseModel noise_;
   ReadingNoise reading_noise_;
-  double correlated_;  // readings that are worth one
+  double correlated_;  // readings of one frame that are worth one
   LiveAlignmentOptions options_;
   Eigen::AlignedBox3d bounds_;
   DatumFit datum_;

@@ -30,6 +30,11 @@ class ReadingNoise {
                   : column < kCosines ? column
                                       : kCosines - 1);
   }
+  // Of a reading (m, camera frame) on a surface with that unit normal, which faces the camera.
+  [[nodiscard]] float variance(const Eigen::Vector3f& point, const Eigen::Vector3f& normal) const {
+    const float facing = -normal.dot(point) / point.norm();
+    return variance(point.z(), facing < 0 ? 0.0F : facing > 1 ? 1.0F : facing);
+  }
 
  private:
   static constexpr int kDepths = 400, kCosines = 32;
