@@ -74,10 +74,13 @@ void add(const LiveRow& row, const std::vector<LiveFrame>& frames, Tally& tally)
 
 void print_frames(const std::vector<LiveFrame>& frames) {
   for (const LiveFrame& frame : frames)
-    std::printf("  %6.3f s %-4s off %7.2f mm %6.3f deg, U %5.2f mm %6.3f deg, %5.1f ms%s %s\n",
-                frame.seconds, std::string(name(frame.quality)).c_str(), 1000 * frame.off_m,
-                frame.off_rad / kDegree, 1000 * frame.u_m, frame.u_rad / kDegree, frame.wall_ms,
-                frame.was_moved ? " MOVED" : "", frame.hint.c_str());
+    std::printf(
+        "  %6.3f s %-4s off %7.2f mm %6.3f deg, U %5.2f mm %6.3f deg, camera %5.2f mm %6.3f deg, "
+        "design %5.2f mm %6.3f deg, %5.1f ms%s %s\n",
+        frame.seconds, std::string(name(frame.quality)).c_str(), 1000 * frame.off_m,
+        frame.off_rad / kDegree, 1000 * frame.u_m, frame.u_rad / kDegree, 1000 * frame.camera_off_m,
+        frame.camera_off_rad / kDegree, 1000 * frame.place_off_m, frame.place_off_rad / kDegree,
+        frame.wall_ms, frame.was_moved ? " MOVED" : "", frame.hint.c_str());
 }
 
 Result<int> campaign(const CampaignOptions& wanted) {

@@ -106,8 +106,24 @@ Result<std::vector<LiveFrame>> run_live(const LiveRow& row, std::uint32_t seed) 
         return Error{ErrorCode::kBadInput, row.name + ": the first frame does not show the object"};
     }
     const PoseSize off = pose_size(truth.inverse() * shown->T_design_camera);
-    frames.push_back({now, shown->quality, off.translation_m, off.rotation_rad, shown->pose_u_m,
-                      shown->pose_u_rad, shown->was_moved, 1000 * wall.count(), shown->hint});
+    const Pose T_map_camera = hand.T_scan_camera(0).inverse() * T_scan_camera;
+    const PoseSize camera_off = pose_size(T_map_camera.inverse() * shown->T_map_camera);
+    const Eigen::Vector3d middle = (*design)->model.bounds().center();
+    const Pose T_apart =
+        shown->T_design_camera * shown->T_map_camera.inverse() * T_map_camera * truth.inverse();
+    frames.push_back({.seconds = now,
+                      .quality = shown->quality,
+                      .off_m = off.translation_m,
+                      .off_rad = off.rotation_rad,
+                      .u_m = shown->pose_u_m,
+                      .u_rad = shown->pose_u_rad,
+                      .camera_off_m = camera_off.translation_m,
+                      .camera_off_rad = camera_off.rotation_rad,
+                      .place_off_m = (T_apart * middle - middle).norm(),
+                      .place_off_rad = pose_size(T_apart).rotation_rad,
+                      .was_moved = shown->was_moved,
+                      .wall_ms = 1000 * wall.count(),
+                      .hint = shown->hint});
   }
   return frames;
 }

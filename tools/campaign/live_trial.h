@@ -31,8 +31,11 @@ struct LiveFrame {
   TrackQuality quality = TrackQuality::kLost;
   double off_m = 0, off_rad = 0;  // of the pose that is given, against the truth
   double u_m = 0, u_rad = 0;      // stated, two standard deviations
-  bool was_moved = false;         // the spool, it says
-  double wall_ms = 0;             // depth in to state out
+  // The two that make up the pose: the camera in the scene, and the design's middle there, the
+  // scene being that of the first frame; meaningless once the map was begun anew.
+  double camera_off_m = 0, camera_off_rad = 0, place_off_m = 0, place_off_rad = 0;
+  bool was_moved = false;  // the spool, it says
+  double wall_ms = 0;      // depth in to state out
   std::string hint = "";
 };
 
