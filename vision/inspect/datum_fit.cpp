@@ -13,9 +13,12 @@
 namespace spool {
 namespace {
 
-constexpr float kTukey = 4.685F;            // standard deviations (Holland & Welsch 1977)
-constexpr float kLeastAlike = 0.7F;         // cosine between a reading's normal and the surface's
-constexpr double kContradiction = 16.81;    // chi-squared, 6 degrees of freedom, 1 %
+constexpr float kTukey = 4.685F;          // standard deviations (Holland & Welsch 1977)
+constexpr float kLeastAlike = 0.7F;       // cosine between a reading's normal and the surface's
+constexpr double kContradiction = 16.81;  // chi-squared, 6 degrees of freedom, 1 %
+// A pose from picks or from a fit to everything may be off by as much as the prior says, and a
+// wrong part may hold it there: the gate starts as wide, and narrows by this factor a frame.
+constexpr double kSettling = 0.75;
 constexpr std::size_t kFewestOfAPart = 10;  // readings; fewer say nothing of its place
 
 // Of motions at `at` with these standard deviations, those along and about `free` not held.
@@ -35,6 +38,11 @@ double explained(const Matrix6d& information, const Vector6d& gradient) {
   return gradient.dot(information.ldlt().solve(gradient));
 }
 
+// What is known of a place along one axis, averaged over the axes: 1/m^2, the same at any origin.
+double along_one_axis(const MotionKnowledge& knowledge) {
+  return knowledge.information.topLeftCorner<3, 3>().trace() / 3;
+}
+
 // The mean of a part's corners; of a part without a mesh where its frame stands.
 Eigen::Vector3d middle_of(const DesignModel& design, int part) {
   const Part& it = design.parts[static_cast<std::size_t>(part)];
@@ -52,6 +60,7 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
     : options_(options),
       allowance2_(design.parts.size(), 0.0F),
       prior_{information_of(design.bounds().center(), options.prior_m, options.prior_rad)},
+      settling_m_(options.prior_m),
       own_(design.parts.size()),
       matches_(design.parts.size()) {
   if (design.datums.empty()) return;
@@ -72,14 +81,19 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
 void DatumFit::clear() {
   std::fill(own_.begin(), own_.end(), MotionKnowledge{});
   prior_.gradient.setZero();
+  settling_m_ = options_.prior_m;
 }
 
 void DatumFit::add(const DatumReadings& readings) {
   const Deviations& deviations = readings.deviations;
   const std::size_t count = deviations.part.size();
   assert(readings.scan_design.points.size() == count && readings.variance_m2.size() == count);
-  const double kept = std::exp(-std::max(0.0, readings.passed_s) / options_.memory_s);
-  for (MotionKnowledge& knowledge : own_) knowledge *= kept;
+  // What was compared to the wrong places while the design settles is soon worth nothing.
+  settling_m_ *= kSettling;
+  fade(options_.drift_m * options_.drift_m * std::max(0.0, readings.passed_s) +
+       settling_m_ * settling_m_);
+  // Of what a look tells, as much as it lasts. The first reading after a while is one of its own.
+  const double fresh = std::min(1.0, readings.passed_s / options_.look_s);
 
   std::size_t near = 0;
   for (const std::int32_t part : deviations.part) near += part >= 0 ? 1U : 0U;
@@ -92,7 +106,9 @@ void DatumFit::add(const DatumReadings& readings) {
     const std::int32_t part = deviations.part[i];
     if (part < 0 || seen++ % step != 0) continue;
     const float variance = readings.variance_m2[i];
-    const float width2 = kTukey * kTukey * (variance + allowance2_[static_cast<std::size_t>(part)]);
+    const float width2 =
+        kTukey * kTukey * (variance + allowance2_[static_cast<std::size_t>(part)]) +
+        static_cast<float>(settling_m_ * settling_m_);
     const float u2 = deviations.distance_m[i] * deviations.distance_m[i] / width2;
     if (!(u2 < 1)) continue;
     // Beyond an edge the nearest surface is not the one that was seen.
@@ -107,9 +123,17 @@ void DatumFit::add(const DatumReadings& readings) {
     if (matches_[part].size() < kFewestOfAPart) continue;
     const NormalEquations equations = build_normal_equations(matches_[part]);
     if (equations.weight <= 0) continue;
-    own_[part] +=
+    MotionKnowledge look =
         held_knowledge(equations, held_motions(equations, matches_[part]), double{kUnit} * worth);
+    look *= fresh / (1 + options_.bias_m * options_.bias_m * along_one_axis(look));
+    own_[part] += look;
   }
+}
+
+// 1 / (v + variance) in place of 1 / v of each part's place along an axis.
+void DatumFit::fade(double variance_m2) {
+  for (MotionKnowledge& knowledge : own_)
+    knowledge *= 1 / (1 + variance_m2 * along_one_axis(knowledge));
 }
 
 // What the far side says of the near one: the joint adds its own variance.
@@ -169,6 +193,12 @@ DatumEstimate DatumFit::solve() const {
   for (std::size_t part = 0; part < own_.size(); ++part)
     if (estimate.counts[part] != 0) rigid += own_[part];
   estimate.covariance_as_designed = rigid.information.ldlt().solve(Matrix6d::Identity());
+  if (!own_.empty()) {
+    const double joint2 = options_.joint_m * options_.joint_m;
+    const double own =
+        tree_.empty() ? along_one_axis(all) : along_one_axis(own_[static_cast<std::size_t>(root_)]);
+    estimate.through_joints = 1 / (1 + own * joint2);
+  }
   all += prior_;
   const Eigen::LDLT<Matrix6d> solver(all.information);
   estimate.step = solver.solve(all.gradient);

@@ -23,7 +23,14 @@ struct DatumFitOptions {
   // called.
   double prior_m = 0.02;
   double prior_rad = 0.05;
-  double memory_s = 3;             // after so long a reading counts for 1/e
+  // Standard deviation of what a part's readings of one look err by together, along the surface's
+  // normal: incidence, correlation windows, disparity steps (DOMAIN 6). Frames within `look_s` of
+  // each other are one look.
+  double bias_m = 0.0001;
+  double look_s = 0.3;
+  // What the map may drift by in a second, m / sqrt(s): what is known of a part fades as fast as
+  // that makes it untrue.
+  double drift_m = 0.0001;
   std::size_t most_points = 6000;  // of a frame that are looked at, about
 };
 
@@ -44,6 +51,15 @@ struct DatumEstimate {
   // The same were every joint of the parts that count exactly as designed: how well the design's
   // place is known, in place of the datum's.
   Matrix6d covariance_as_designed = Matrix6d::Zero();
+  // 0 to 1: how much of what is known of the datum's place came through its joints; 0: its own
+  // readings tell.
+  double through_joints = 1;
+
+  // What is stated of a pose: joints that look as drawn are, but of a datum that was not seen
+  // itself nobody knows.
+  [[nodiscard]] Matrix6d stated_covariance() const {
+    return covariance_as_designed + through_joints * (covariance - covariance_as_designed);
+  }
   // One a part: it is where the datum and its joints let it be.
   std::vector<std::uint8_t> counts;
 };
@@ -66,6 +82,7 @@ class DatumFit {
   void follow(const Vector6d& step);
 
  private:
+  void fade(double variance_m2);
   enum class Hold { kAsDrawn, kButAxis, kNone };
   [[nodiscard]] MotionKnowledge through(const JointBranch& joint, Hold hold,
                                         const MotionKnowledge& beyond) const;
@@ -76,6 +93,7 @@ class DatumFit {
   int root_ = 0;
   std::vector<float> allowance2_;  // m^2; of a part's place as built, one a part
   MotionKnowledge prior_;
+  double settling_m_;  // what the pose may be off by besides: of an alignment that is new
   std::vector<MotionKnowledge> own_;                  // one a part, at the design origin
   std::vector<std::vector<Correspondence>> matches_;  // scratch, one a part
 };

@@ -176,7 +176,7 @@ void FrameProcessor::Impl::grade(VisionState& state) const {
   const Eigen::Vector3d& eye = state.T_design_camera.translation();
   const Matrix6d at_eye = motion_told_at(eye);
   const Matrix6d to_design = turned(alignment.T_design_map().linear());
-  state_uncertainty(at_eye * alignment.covariance_as_designed() * at_eye.transpose() +
+  state_uncertainty(at_eye * alignment.covariance() * at_eye.transpose() +
                         to_design * state.camera_covariance * to_design.transpose(),
                     state);
   const double good_m = options.tracker.good_m, good_rad = options.tracker.good_rad;

@@ -11,9 +11,6 @@ namespace spool {
 
 namespace {
 
-// Frames on end look from nearly the same place and err alike: by spoolsight-live-campaign
-// (BENCHMARKS).
-constexpr double kFramesWorthOne = 4;
 constexpr double kClearly = 0.05;  // more of the surface in sight is seen there
 constexpr double kNoises = 3;      // of a point: the datum fit follows what is nearer by itself
 
@@ -194,10 +191,10 @@ void LiveAlignment::refine(const VisionState& state) {
     if (state.deviations.part[i] >= 0)
       variances[i] = reading_noise_.variance(state.scan.points[i], state.scan.normals[i]);
   const double now = state.frame->seconds;
-  const double passed = seconds_ && std::isfinite(now) ? std::max(0.0, now - *seconds_) : 0.0;
+  constexpr double kFrame_s = 1.0 / 30;  // where no clock tells
+  const double passed = seconds_ && std::isfinite(now) ? std::max(0.0, now - *seconds_) : kFrame_s;
   if (std::isfinite(now)) seconds_ = now;
-  datum_.add({CloudView(state.scan_design), state.deviations, variances,
-              kFramesWorthOne * correlated_, passed});
+  datum_.add({CloudView(state.scan_design), state.deviations, variances, correlated_, passed});
   known_ = datum_.solve();
   T_design_map_ = moved_about(Eigen::Vector3d::Zero(), known_.step, *T_design_map_);
   datum_.follow(known_.step);

@@ -66,10 +66,8 @@ class LiveAlignment {
   void forget();
   [[nodiscard]] bool is_set() const { return T_design_map_.has_value(); }
   [[nodiscard]] const Pose& T_design_map() const { return *T_design_map_; }
-  // Of the design's place, were it built as designed, at the design origin; m and rad.
-  [[nodiscard]] const Matrix6d& covariance_as_designed() const {
-    return known_.covariance_as_designed;
-  }
+  // Of the datum's place, at the design origin; m and rad.
+  [[nodiscard]] Matrix6d covariance() const { return known_.stated_covariance(); }
   // The last readings moved the design at `there` (m, design frame) by so little: a fifth of what
   // is allowed.
   [[nodiscard]] bool is_settled(const Eigen::Vector3d& there, double allowed_m,

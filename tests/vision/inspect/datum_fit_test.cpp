@@ -157,6 +157,40 @@ TEST(DatumFit, KnowsOfAStraightPipeNoMoreThanItShows) {
   EXPECT_LT(pose_size(followed.T_design_scan).translation_m, 0.001) << "nor slides";
 }
 
+// The start is what a fit to everything gives: on the arm and its tip, which are turned.
+TEST(DatumFit, SettlesOnTheDatumFromAPoseThatAWrongPartHolds) {
+  std::vector<Pose> built = jointed().as_designed();
+  built[kArm] = built[kTip] = test::turned_about({0, 0, 0.8}, Vector3d::UnitZ(), 5);
+  const Pose start = test::turned_about({0, 0, 0.8}, Vector3d::UnitZ(), -5);
+  Followed followed(jointed().design, spool::moved(jointed().scan(built, kAll), start));
+  followed.see_often(40);
+  EXPECT_LT(datum_off(followed.T_design_scan, start.inverse()), 0.0005);
+  EXPECT_LT(pose_size(followed.T_design_scan * start).rotation_rad, 0.1 * kDegree);
+}
+
+// What readings err by together is not averaged away by frames from the same place.
+TEST(DatumFit, IsNeverSurerThanItsReadingsErrTogether) {
+  const DatumFitOptions options;
+  Followed followed(jointed().design, jointed().scan(jointed().as_designed(), kAll), options);
+  followed.see_often(300);
+  const double sigma = std::sqrt(followed.last.covariance_as_designed(0, 0));
+  EXPECT_GT(sigma, 0.2 * options.bias_m);
+  EXPECT_LT(sigma, 2 * options.bias_m);
+}
+
+TEST(DatumFit, SaysWhetherTheDatumItselfTells) {
+  const auto scan_of = [](const std::vector<bool>& parts) {
+    return jointed().scan(jointed().as_designed(), parts);
+  };
+  Followed whole(jointed().design, scan_of(kAll));
+  whole.see_often(30);
+  EXPECT_LT(whole.last.through_joints, 0.05);
+  Followed far(jointed().design, scan_of({false, false, true, true, false, false}));
+  far.see_often(30);
+  EXPECT_EQ(far.last.through_joints, 1);
+  EXPECT_GT(far.last.stated_covariance()(5, 5), 4 * far.last.covariance_as_designed(5, 5));
+}
+
 TEST(DatumFit, ForgetsWhatIsLongPast) {
   const PointCloud scan = jointed().scan(jointed().as_designed(), kAll);
   Followed followed(jointed().design, scan);
