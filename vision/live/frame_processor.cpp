@@ -10,6 +10,7 @@
 
 #include "vision/core/stage_clock.h"
 #include "vision/inspect/facing.h"
+#include "vision/live/coverage.h"
 #include "vision/scan/back_projection.h"
 #include "vision/scan/normals.h"
 
@@ -44,24 +45,6 @@ Camera every_nth_pixel(const Camera& camera, int stride) {
   small.cx /= stride;
   small.cy /= stride;
   return small;
-}
-
-// At most `limit` samples of each part, spread evenly over the order they stand in.
-SurfaceSamples some_of_each_part(const SurfaceSamples& samples, std::size_t parts,
-                                 std::size_t limit) {
-  std::vector<std::vector<std::size_t>> of_part(parts);
-  for (std::size_t i = 0; i < samples.part.size(); ++i)
-    of_part[static_cast<std::size_t>(samples.part[i])].push_back(i);
-  SurfaceSamples some;
-  some.radius_m = samples.radius_m;
-  for (const std::vector<std::size_t>& all : of_part) {
-    const std::size_t step = std::max<std::size_t>(1, (all.size() + limit - 1) / limit);
-    for (std::size_t k = 0; k < all.size(); k += step) {
-      some.cloud.points.push_back(samples.cloud.points[all[k]]);
-      some.part.push_back(samples.part[all[k]]);
-    }
-  }
-  return some;
 }
 
 // A pose that only the spool holds is good where so much of what should be seen is, so near.
@@ -102,9 +85,9 @@ struct FrameProcessor::Impl {
   Camera small;  // of the thinned pictures
   NoiseModel noise;
   FrameProcessorOptions options;
-  SurfaceSamples coverage_samples;
   Tracker tracker;
   LiveAlignment alignment;
+  Coverage coverage;
   std::uint64_t revision = 0;
   std::uint64_t alignments = 0;
   std::uint64_t map = 0;           // how often the map was begun anew
@@ -119,10 +102,9 @@ struct FrameProcessor::Impl {
         small(every_nth_pixel(by, so.stride_px)),
         noise(with),
         options(so),
-        coverage_samples(
-            some_of_each_part(design->samples, design->model.parts.size(), so.coverage_samples)),
         tracker(so.tracker),
-        alignment(design, by, small, with, so.alignment) {}
+        alignment(design, by, small, with, so.alignment),
+        coverage(design, by, small, with) {}
 
   [[nodiscard]] Result<PointCloud> organised(const DepthFrame& frame) const;
   void follow_camera(const PointCloud& cloud, VisionState& state);
@@ -131,6 +113,8 @@ struct FrameProcessor::Impl {
   void hold_by_spool(const PointCloud& cloud, VisionState& state, StageClock& clock);
   void grade(VisionState& state) const;
   void measure(VisionState& state) const;
+  [[nodiscard]] Matrix6d pose_covariance(const VisionState& state) const;
+  void take_readings(const VisionState& state);
 };
 
 FrameProcessor::FrameProcessor(std::shared_ptr<const PreparedDesign> design, const Camera& camera,
@@ -169,6 +153,21 @@ void FrameProcessor::Impl::show(const DesignFit& fit, VisionState& state) {
   state.agreement = fit.agreement.share();
   state.point_noise_m = fit.point_noise_m;
   T_last = fit.T_design_camera;
+}
+
+// The place's covariance and the camera's, at the design origin.
+Matrix6d FrameProcessor::Impl::pose_covariance(const VisionState& state) const {
+  const Matrix6d from_eye = motion_told_at(-state.T_design_camera.translation()) *
+                            turned(alignment.T_design_map().linear());
+  return alignment.covariance() + from_eye * state.camera_covariance * from_eye.transpose();
+}
+
+// The readings of a state correct the design's place, and those before them with it.
+void FrameProcessor::Impl::take_readings(const VisionState& state) {
+  coverage.add(state, pose_covariance(state));
+  const Pose T_before = alignment.T_design_map();
+  alignment.refine(state);
+  coverage.follow(alignment.T_design_map() * T_before.inverse());
 }
 
 // What the pose may be off by at the camera: the camera's place in the scene, and the design's.
@@ -211,13 +210,16 @@ void FrameProcessor::Impl::place_design(const PointCloud& cloud, VisionState& st
   show(place.fit, state);
   measure(state);
   clock.mark("deviation");
-  if (state.camera == PoseQuality::kGood && !place.is_doubtful) alignment.refine(state);
+  if (place.was_moved) coverage.clear();
+  if (state.camera == PoseQuality::kGood && !place.is_doubtful) take_readings(state);
   grade(state);
   if (place.is_doubtful) {
     state.quality = TrackQuality::kPoor;
     state.hint = "Unsure: the spool may have been moved.";
   }
   clock.mark("refine");
+  coverage.tell(state, pose_covariance(state));
+  clock.mark("coverage");
 }
 
 // Where the scene does not hold the camera, on a bare floor, the spool may. A camera that was lost
@@ -244,6 +246,9 @@ void FrameProcessor::Impl::hold_by_spool(const PointCloud& cloud, VisionState& s
   show(fit, state);
   measure(state);
   clock.mark("deviation");
+  if (fit.is_held && !(is_lost && has_map)) coverage.add(state, fit.covariance);
+  coverage.tell(state, fit.covariance);
+  clock.mark("coverage");
   state_uncertainty(covariance, state);
   const bool is_good = !(is_lost && has_map) && fit.is_held && state.agreement >= kGoodAgreement &&
                        fit.rms_m <= kGoodNoises * fit.point_noise_m;
@@ -259,8 +264,6 @@ void FrameProcessor::Impl::measure(VisionState& state) const {
   // What a single point may be off by at random is not looked at: three standard deviations.
   drop_turned_away(state.scan_design, state.T_design_camera.translation(), *design->surface,
                    static_cast<float>(3.0 * state.point_noise_m), state.classes, state.deviations);
-  state.parts = summarise_parts(design->model, state.scan_design, state.classes, state.deviations,
-                                coverage_samples);
   state.rms_m = rms(state.deviations, state.classes);
 }
 
@@ -325,9 +328,11 @@ VisionStatePtr FrameProcessor::align(const VisionState& held, const Pose& T_desi
     state->hint.clear();
   }
   self.alignment.set(state->T_design_camera * state->T_map_camera.inverse());
+  self.coverage.clear();
   self.measure(*state);
-  self.alignment.refine(*state);
+  self.take_readings(*state);
   self.grade(*state);
+  self.coverage.tell(*state, self.pose_covariance(*state));
   clock.mark("deviation");
   return state;
 }

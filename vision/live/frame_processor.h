@@ -19,8 +19,6 @@ namespace spool {
 struct FrameProcessorOptions {
   int stride_px = 2;              // every so many pixels in u and v are kept
   double max_deviation_m = 0.03;  // m; further from the surface: not the object
-  // Coverage that is shown live is judged by so many samples a part: right to 4 % of the part.
-  std::size_t coverage_samples = 150;
   LiveAlignmentOptions alignment = {};
   TrackerOptions tracker = {};
 };

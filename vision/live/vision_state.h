@@ -15,6 +15,7 @@
 #include "vision/core/point_cloud.h"
 #include "vision/core/pose.h"
 #include "vision/inspect/deviation.h"
+#include "vision/live/coverage_state.h"
 
 namespace spool {
 
@@ -47,7 +48,7 @@ struct VisionState {
   PointCloud scan_design;
   std::vector<PointClass> classes;
   Deviations deviations;
-  std::vector<PartDeviation> parts;  // in the design's order
+  CoverageState coverage;    // of the frames up to this one
   double rms_m = 0;          // of the tracked correspondences: scan quality, never a verdict
   double agreement = 0;      // of the surface that should be seen, the share that is (0 to 1)
   double point_noise_m = 0;  // the sensor's own standard deviation at the spool's distance
