@@ -16,6 +16,7 @@
 #include "render/legend.h"
 #include "render/markers.h"
 #include "render/mesh_pass.h"
+#include "render/patch_pass.h"
 
 namespace spool::render {
 
@@ -24,6 +25,7 @@ struct OverlayRenderer::Impl {
   CloudPass cloud;
   DepthShadePass depth_shade;
   MeshPass mesh;
+  PatchPass patches;
   EdgePass edges;
   CanvasPass canvas;
   std::vector<Marker> markers;
@@ -67,6 +69,7 @@ Result<OverlayRenderer> OverlayRenderer::create() {
   make(impl->cloud, status);
   make(impl->depth_shade, status);
   make(impl->mesh, status);
+  make(impl->patches, status);
   make(impl->edges, status);
   make(impl->canvas, status);
   if (status) status = gl_status("preparing to draw");
@@ -85,6 +88,10 @@ void OverlayRenderer::set_points(std::span<const Eigen::Vector3f> points_design,
                                  std::span<const float> deviation_m,
                                  std::span<const std::uint8_t> classes) {
   impl_->cloud.set_points(points_design, deviation_m, classes);
+}
+
+void OverlayRenderer::set_patches(std::span<const PatchMark> patches) {
+  impl_->patches.set_patches(patches);
 }
 
 void OverlayRenderer::set_markers(std::span<const Marker> markers) {
@@ -109,6 +116,7 @@ Status OverlayRenderer::draw(const Offscreen& target, const View& view, const Ov
   }
   if (style.show_design) {
     impl_->mesh.draw(target, view, style.lit_part, style.occlusion_tolerance_m);
+    if (style.show_patches) impl_->patches.draw(target, view, style.occlusion_tolerance_m);
     impl_->edges.draw(target, view, style.lit_part, 1.5F * scale,
                       0.5 * style.occlusion_tolerance_m);
   }

@@ -27,6 +27,14 @@ struct Marker {
   std::string label;  // "1"
 };
 
+// How well a patch of the design is known: a full disc, a ring, a dashed ring on its surface.
+struct PatchMark {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  // m, design frame
+  Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();   // unit, outward
+  float radius_m = 0;
+  enum class Sight { kNotSeen, kPartly, kKnown } sight = Sight::kNotSeen;
+};
+
 struct OverlayStyle {
   double colour_range_m = 0.010;  // m; the ends of the deviation colours
   double neutral_m = 0.001;       // m; half width of the grey band
@@ -39,6 +47,7 @@ struct OverlayStyle {
   bool show_cloud = true;
   bool show_clutter = true;  // points that are not the object: dim
   bool show_design = true;
+  bool show_patches = false;  // on the design, where it is shown
   bool show_legend = true;
   double inset_top_px = 0;     // covered by a strip of the screen: the legend stays clear of it
   double inset_bottom_px = 0;  // and of what covers the bottom
@@ -63,6 +72,7 @@ class OverlayRenderer {
   // are not drawn.
   void set_points(std::span<const Eigen::Vector3f> points_design,
                   std::span<const float> deviation_m, std::span<const std::uint8_t> classes);
+  void set_patches(std::span<const PatchMark> patches);
   void set_markers(std::span<const Marker> markers);
   // Draws into the target; occlusion of the design by the points is by their depth.
   [[nodiscard]] Status draw(const Offscreen& target, const View& view, const OverlayStyle& style);

@@ -1,6 +1,8 @@
 // Pictures of the overlay against those kept, each with numbers asserted beside it.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -98,6 +100,40 @@ TEST_F(OverlayGolden, LitPart) {
   const Eigen::Vector3f lit = colour(image, {0.4524, -0.1145, 0.265});
   EXPECT_GT(lit.z(), lit.x() + 0.1F);
   test::expect_golden("lit_part", image);
+}
+
+// Marks along the pipe: known, partly, not seen, and one on its far side.
+TEST_F(OverlayGolden, PatchesByTheirShape) {
+  using Sight = PatchMark::Sight;
+  set_design();
+  const Image bare = draw({.show_legend = false});
+  const std::array<Eigen::Vector3d, 3> middles{
+      {{0.06, -0.057, 0.0}, {0.14, -0.057, 0.0}, {0.22, -0.057, 0.0}}};
+  const std::array<Sight, 3> sights{Sight::kKnown, Sight::kPartly, Sight::kNotSeen};
+  const Eigen::Vector3f front = -Eigen::Vector3f::UnitY();
+  std::vector<PatchMark> marks;
+  for (std::size_t i = 0; i < 3; ++i)
+    marks.push_back({middles[i].cast<float>(), front, 0.03F, sights[i]});
+  marks.push_back({{0.14F, 0.057F, 0.0F}, -front, 0.03F, Sight::kKnown});
+  renderer_->set_patches(marks);
+  const Image image = draw({.show_patches = true, .show_legend = false});
+  EXPECT_GT(colour(image, middles[0]).minCoeff(), 0.8F) << "a full disc";
+  EXPECT_EQ(colour(image, middles[1]), colour(bare, middles[1])) << "a ring is empty";
+  EXPECT_EQ(colour(image, middles[2]), colour(bare, middles[2]));
+  // How much each covers tells them apart without their colours.
+  std::array<int, 3> covered{};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Projected at = project(view_, middles[i]);
+        const bool is_near = std::abs(x - at.x) < 18 && std::abs(y - at.y) < 18;
+        const bool is_drawn = image.pixel(x, y)[0] != bare.pixel(x, y)[0];
+        covered[i] += is_near && is_drawn ? 1 : 0;
+      }
+  EXPECT_GT(covered[0], covered[1] * 5 / 4);
+  EXPECT_GT(covered[1], covered[2] * 5 / 4);
+  EXPECT_GT(covered[2], 10);
+  test::expect_golden("patches", image);
 }
 
 // A hand's worth of points before the pipe, and a wall far behind the flange.
