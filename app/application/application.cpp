@@ -264,8 +264,11 @@ std::vector<ScenePicture> Application::scenes() {
     work.view = work_eye_.view();
   }
   set_look(work, *state);
-  work.show_cloud = view_mode_ != 2;
-  work.show_design = view_mode_ != 1;
+  work.show_cloud = view_mode_ == ViewMode::kBoth || view_mode_ == ViewMode::kScan;
+  work.show_design = view_mode_ != ViewMode::kScan;
+  work.show_patches = view_mode_ == ViewMode::kSeen;
+  if (const auto& target = state->coverage.advice.target)
+    work.markers.push_back({*target, render::Marker::Kind::kProposed, "next"});
   work.show_legend = true;
   work.lit_part = lit_part_;
   work.legend_top_px = layout_.strip.height;

@@ -160,7 +160,8 @@ class Application {
   AlignMethod aligned_by_ = AlignMethod::kThreePoint;  // the pose that is believed
   bool unplugged_ = false, ended_ = false;
   std::optional<Error> failure_;
-  int view_mode_ = 0;  // both, scan, design
+  enum class ViewMode { kBoth, kScan, kDrawing, kSeen };  // kSeen: how well the drawing is known
+  ViewMode view_mode_ = ViewMode::kBoth;
   int lit_part_ = -1;
   bool list_open_ = false;
   std::string notice_;

@@ -15,7 +15,7 @@ namespace spool {
 
 namespace {
 constexpr double kNoticeSeconds = 4.0;
-constexpr int kViewModes = 3;
+constexpr int kViewModes = 4;
 
 std::string digest_of(const DepthFrame& frame) {
   return sha256_hex({reinterpret_cast<const char*>(frame.depth.data()),
@@ -77,7 +77,7 @@ void Application::handle(const ui::Command& command) {
       pending_screen_ = fmt::format("screen_{:03}.png", ++shots_);
       break;
     case ui::Action::kView:
-      view_mode_ = (view_mode_ + 1) % kViewModes;
+      view_mode_ = static_cast<ViewMode>((static_cast<int>(view_mode_) + 1) % kViewModes);
       break;
     case ui::Action::kCameraView:
       detached_ = false;

@@ -15,7 +15,6 @@ namespace spool {
 namespace {
 // Less of a part seen than this share says nothing of the part.
 constexpr double kSeenShare = 0.05;
-constexpr std::size_t kSeenPoints = 30;
 constexpr std::size_t kChips = 3;
 
 ui::TrackingMark mark_of(TrackQuality quality) {
@@ -169,14 +168,15 @@ void Application::fill_align(ui::ScreenState& out) const {
 }
 
 void Application::fill_work(ui::ScreenState& out) const {
-  static constexpr const char* kViewWords[] = {"both", "scan", "drawing"};
+  static constexpr const char* kViewWords[] = {"both", "scan", "drawing", "seen"};
   const VisionStatePtr& state = shown();
   out.aligned = aligned_;
   out.can_find = can_find();
   out.measured = state && state->is_tracked();
   out.still_shown = shows_still();
   out.detached = detached_ && out.measured;
-  out.view_word = kViewWords[view_mode_];
+  out.view_word = kViewWords[static_cast<int>(view_mode_)];
+  out.sight_shown = out.measured && view_mode_ == ViewMode::kSeen;
   out.list_open = list_open_;
   out.lit_part = lit_part_;
   out.checking = checks_open_ > 0;
@@ -186,18 +186,19 @@ void Application::fill_work(ui::ScreenState& out) const {
     out.hint_is_warning = !state->hint.empty();
     out.point_noise_mm = 1e3 * state->point_noise_m;
   }
+  if (out.hint.empty() && state) out.hint = state->coverage.advice.text;
   if (out.hint.empty()) out.hint = "Look where it matters, then press Check.";
   if (!out.measured) return;
   const std::vector<Part>& parts = in_.design->model.parts;
-  for (std::size_t i = 0; i < state->parts.size(); ++i) {
-    const PartDeviation& part = state->parts[i];
-    const bool seen = part.points >= kSeenPoints && part.coverage >= kSeenShare;
+  for (std::size_t i = 0; i < state->coverage.parts.size(); ++i) {
+    const PartReading& part = state->coverage.parts[i];
+    const bool seen = part.is_seen && part.coverage >= kSeenShare;
     ui::PartLine line;
     line.part = static_cast<int>(i);
     line.name = parts[i].name;
     line.status = seen ? ui::StatusMark::kSuspicious : ui::StatusMark::kNotMeasured;
     line.mean_mm = 1e3 * part.mean_m;
-    line.p95_mm = 1e3 * part.p95_abs_m;
+    line.u_mm = 1e3 * part.u_m;
     line.coverage = part.coverage;
     out.parts.push_back(std::move(line));
   }

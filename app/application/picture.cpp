@@ -10,6 +10,25 @@
 
 namespace spool {
 
+namespace {
+
+std::vector<render::PatchMark> marks_of(const CoverageState& coverage) {
+  using Sight = render::PatchMark::Sight;
+  constexpr float kShare = 0.45F;  // of the distance between two: they do not touch
+  std::vector<render::PatchMark> marks;
+  if (!coverage.patches) return marks;
+  const std::vector<SurfacePatch>& all = coverage.patches->all();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Sight sight = coverage.sight[k] == PatchSight::kKnown    ? Sight::kKnown
+                        : coverage.sight[k] == PatchSight::kPartly ? Sight::kPartly
+                                                                   : Sight::kNotSeen;
+    marks.push_back({all[k].point, all[k].normal, kShare * all[k].radius_m, sight});
+  }
+  return marks;
+}
+
+}  // namespace
+
 Result<Picture> Picture::create(const PreparedDesign& design, int width, int height, double dp) {
   Result<render::OverlayRenderer> overlay = render::OverlayRenderer::create();
   if (!overlay) return overlay.error();
@@ -39,6 +58,7 @@ void Picture::set_state(const VisionState& state) {
   classes.reserve(state.classes.size());
   for (const PointClass c : state.classes) classes.push_back(static_cast<std::uint8_t>(c));
   overlay_.set_points(state.scan_design.points, state.deviations.distance_m, classes);
+  overlay_.set_patches(marks_of(state.coverage));
   // Before an alignment every point may be the object, and no deviation is known.
   const std::vector<float> unknown(state.scan.size(), std::numeric_limits<float>::quiet_NaN());
   classes.assign(state.scan.size(), static_cast<std::uint8_t>(PointClass::kObject));
@@ -60,6 +80,7 @@ render::OverlayStyle Picture::style_of(const ScenePicture& scene) const {
   style.neutral_m = scene.neutral_m;
   style.show_cloud = scene.show_cloud;
   style.show_design = scene.show_design && !scene.of_scan;
+  style.show_patches = scene.show_patches;
   style.show_legend = scene.show_legend;
   style.lit_part = scene.lit_part;
   style.point_size_px = static_cast<float>(scene.point_px);

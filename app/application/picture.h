@@ -28,6 +28,7 @@ struct ScenePicture {
       false;  // the bare scan in the camera frame; else design and overlay in the design frame
   bool show_cloud = true;
   bool show_design = true;
+  bool show_patches = false;  // how well the design is known, on it
   bool show_legend = false;
   double legend_top_px = 0, legend_bottom_px = 0;  // between these the legend stands
   double point_px = 3;         // so large that the cloud closes to a surface as the camera sees it

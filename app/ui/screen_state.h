@@ -29,8 +29,8 @@ struct PartLine {
   int part = -1;
   std::string name;
   StatusMark status = StatusMark::kNotMeasured;
-  double mean_mm = 0;  // + outside the design's surface
-  double p95_mm = 0;
+  double mean_mm = 0;   // + outside the design's surface
+  double u_mm = 0;      // of the mean: two standard deviations
   double coverage = 0;  // 0 to 1, of the part's surface
 };
 
@@ -70,11 +70,12 @@ struct ScreenState {
   double point_noise_mm = 0;  // one standard deviation of a point here
   StatusMark overall = StatusMark::kNotMeasured;
   std::string overall_reason;
-  bool checked = false;     // `overall` is from a check of this very frame
-  bool checking = false;    // one is on its way
-  bool detached = false;    // the view is not the camera's
-  bool can_replay = false;  // a recording came to its end
-  std::string view_word;    // what View shows now: "both", "scan", "design"
+  bool checked = false;      // `overall` is from a check of this very frame
+  bool checking = false;     // one is on its way
+  bool detached = false;     // the view is not the camera's
+  bool can_replay = false;   // a recording came to its end
+  std::string view_word;     // what View shows now: "both", "scan", "drawing", "seen"
+  bool sight_shown = false;  // the drawing carries marks of how well it is known
   bool list_open = false;
 };
 

@@ -23,8 +23,12 @@ const char* direction(double mm) { return mm < 0 ? "inside" : "outside"; }
 
 std::string numbers_of(const PartLine& line) {
   char text[96];
-  std::snprintf(text, sizeof text, "%s mm   95 %% within %.1f   %.0f %% seen",
-                signed_mm(line.mean_mm).c_str(), line.p95_mm, 100 * line.coverage);
+  if (line.status == StatusMark::kNotMeasured) {
+    std::snprintf(text, sizeof text, "%.0f %% seen", 100 * line.coverage);
+    return text;
+  }
+  std::snprintf(text, sizeof text, "%s ± %.1f mm   %.0f %% seen", signed_mm(line.mean_mm).c_str(),
+                line.u_mm, 100 * line.coverage);
   return text;
 }
 
@@ -45,18 +49,27 @@ void draw_deciding(const ScreenState& state, const Painter& painter, float width
   const PartLine& worst = state.parts.front();
   draw_mark(list, worst.status, {at.x + 16 * dp, at.y + 20 * dp}, 15 * dp);
   ImGui::SetCursorScreenPos({at.x + 42 * dp, at.y});
+  const bool is_seen = worst.status != StatusMark::kNotMeasured;
   ImGui::PushFont(painter.theme.number);
-  ImGui::Text("%s mm", signed_mm(worst.mean_mm).c_str());
+  if (is_seen) {
+    ImGui::Text("%s mm", signed_mm(worst.mean_mm).c_str());
+  } else {
+    ImGui::TextUnformatted(word(worst.status));
+  }
   ImGui::PopFont();
   ImGui::PushFont(painter.theme.body);
-  ImGui::TextUnformatted(
-      fitted(worst.name + ": " + direction(worst.mean_mm) + " the drawing", width).c_str());
+  const std::string where = worst.name + ": " + direction(worst.mean_mm) + " the drawing";
+  ImGui::TextUnformatted(fitted(is_seen ? where : worst.name, width).c_str());
   ImGui::PopFont();
   ImGui::PushFont(painter.theme.small);
   ImGui::PushStyleColor(ImGuiCol_Text, kDimTextColour);
   char text[128];
-  std::snprintf(text, sizeof text, "%s · point noise %.1f mm", word(worst.status),
-                state.point_noise_mm);
+  if (is_seen) {
+    std::snprintf(text, sizeof text, "%s · ± %.1f mm · %.0f %% seen", word(worst.status),
+                  worst.u_mm, 100 * worst.coverage);
+  } else {
+    std::snprintf(text, sizeof text, "point noise %.1f mm", state.point_noise_mm);
+  }
   ImGui::TextUnformatted(fitted(text, width).c_str());
   ImGui::PopStyleColor();
   ImGui::PopFont();
@@ -147,6 +160,26 @@ void draw_card(const ScreenState& state, const Painter& painter, std::vector<Com
   ImGui::End();
 }
 
+// What the marks on the drawing mean, at the left where the colours' legend stands otherwise.
+void draw_sight_legend(const Painter& painter) {
+  const auto dp = static_cast<float>(painter.theme.dp);
+  ImFont* font = painter.theme.small;
+  const float step = font->FontSize + 12 * dp;
+  const ImVec2 at(14 * dp, static_cast<float>(painter.layout.strip.height) + 14 * dp);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled(at, {at.x + 150 * dp, at.y + 3 * step + 8 * dp}, kPanelColour, 8 * dp);
+  const float r = 8 * dp;
+  const auto row = [&](int i, const char* text) {
+    const ImVec2 c(at.x + 20 * dp, at.y + 4 * dp + (static_cast<float>(i) + 0.5F) * step);
+    list.AddText(font, font->FontSize, {c.x + 20 * dp, c.y - 0.5F * font->FontSize}, kTextColour,
+                 text);
+    return c;
+  };
+  list.AddCircleFilled(row(0, "known"), r, kTextColour, 24);
+  list.AddCircle(row(1, "partly"), 0.8F * r, kSuspiciousColour, 24, 0.4F * r);
+  draw_mark(list, StatusMark::kNotMeasured, row(2, "not seen"), r);
+}
+
 // A frame about the last good view and what to do with it; the view itself is drawn already.
 void draw_still(const Painter& painter) {
   const auto dp = static_cast<float>(painter.theme.dp);
@@ -174,6 +207,7 @@ void draw_still(const Painter& painter) {
 void draw_work(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
   const Layout& layout = painter.layout;
   if (state.still_shown) draw_still(painter);
+  if (state.sight_shown) draw_sight_legend(painter);
   if (state.list_open && state.measured) draw_list(state, painter, commands);
   draw_card(state, painter, commands);
   if (big_button(painter, "Align", layout.actions[0])) commands.push_back({Action::kAlign});
