@@ -262,6 +262,7 @@ void Application::take_checks() {
     auto record = std::make_shared<evidence::InspectionRecord>();
     record->design = in_.design;
     record->inspection = std::move(*done->inspection);
+    record->over_frames = done->state->coverage.parts;
     record->scan.file = in_.source_text;
     record->scan.sha256 = digest_of(*done->state->frame);
     record->scan.kind = in_.is_recording ? "recording" : "device";

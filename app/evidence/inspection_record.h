@@ -10,6 +10,7 @@
 
 #include "vision/core/camera.h"
 #include "vision/inspect/inspection.h"
+#include "vision/inspect/part_reading.h"
 #include "vision/inspector.h"
 
 namespace spool::evidence {
@@ -28,6 +29,7 @@ struct ScanRecord {
 struct InspectionRecord {
   std::shared_ptr<const PreparedDesign> design;
   Inspection inspection;
+  std::vector<PartReading> over_frames;  // of a live check: one a part; else empty
   ScanRecord scan;
   std::string sensor;  // description of the source, or "cloud file"
   Calibration calibration;

@@ -103,6 +103,12 @@ json declutter_json(const DeclutterResult& declutter) {
           {"points_contradicting", declutter.contradicting}};
 }
 
+json over_frames_json(const PartReading& reading) {
+  return {{"mean_m", reading.is_seen ? number(reading.mean_m) : json(nullptr)},
+          {"u_m", reading.is_seen ? number(reading.u_m) : json(nullptr)},
+          {"coverage", number(reading.coverage)}};
+}
+
 json part_json(const Part& part, const PartFinding& finding) {
   const auto& deviation = finding.deviation;
   const auto measured = [&](double value) {
@@ -135,8 +141,12 @@ std::string report_json(const InspectionRecord& record) {
   const auto& model = record.design->model;
   const auto& inspection = record.inspection;
   json parts = json::array();
-  for (const auto& finding : inspection.parts)
-    parts.push_back(part_json(model.parts.at(static_cast<std::size_t>(finding.part)), finding));
+  for (const auto& finding : inspection.parts) {
+    const auto part = static_cast<std::size_t>(finding.part);
+    parts.push_back(part_json(model.parts.at(part), finding));
+    if (part < record.over_frames.size())
+      parts.back()["over_frames"] = over_frames_json(record.over_frames[part]);
+  }
   json findings = json::array();
   for (const auto& finding : inspection.findings)
     findings.push_back({{"kind", finding.kind},

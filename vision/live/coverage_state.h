@@ -11,17 +11,10 @@
 
 #include <Eigen/Core>
 
+#include "vision/inspect/part_reading.h"
 #include "vision/live/surface_patches.h"
 
 namespace spool {
-
-// Of one part, over the frames of late.
-struct PartReading {
-  bool is_seen = false;  // any of it; else the rest means nothing
-  double mean_m = 0;     // mean signed deviation of its surface that was seen, + outside the design
-  double u_m = 0;        // of the mean: two standard deviations, the doubt of the pose in it
-  double coverage = 0;   // share of its surface that is known well enough for a number, 0 to 1
-};
 
 enum class PatchSight : std::uint8_t { kNotSeen, kPartly, kKnown };
 

@@ -28,11 +28,15 @@ constexpr std::array<std::string_view, kLookTroubles> kWords = {
     "Too near: go back a little.",
     "Too bright or too dark there to be measured: shade it, or look from a little aside.",
     "Slower: the picture smears.",
-    "Closer: from here it is not measured well enough."};
+    "Closer: from here it is not measured well enough.",
+    "Move on slowly: from one place no more is learned."};
 
-constexpr std::array<std::string_view, 6> kWays = {"Go closer to",       "from further left",
-                                                   "from further right", "from above",
-                                                   "from below",         "from the other side"};
+constexpr std::array<std::string_view, 6> kWays = {"",
+                                                   " from further left",
+                                                   " from further right",
+                                                   " from above",
+                                                   " from below",
+                                                   " from the other side"};
 
 }  // namespace
 
@@ -81,12 +85,12 @@ std::optional<LookTrouble> LookAdviser::trouble_of(const VisionState& state,
     return p_camera.z() > kFarthest_m ? LookTrouble::kTooFar : LookTrouble::kTooBright;
   }
   const double before =
-      p_camera.z() - double{*std::ranges::max_element(depths)} * camera_.depth_unit_m;
+      p_camera.z() - static_cast<double>(*std::ranges::max_element(depths)) * camera_.depth_unit_m;
   if (before > kBefore_m + 3 * noise_.axial_m(p_camera.z())) return LookTrouble::kHidden;
   const double look_m2 = readings.variance_of_a_look(k, state.T_design_camera.translation());
   if (readings.smear_m2(k) > look_m2) return LookTrouble::kTooFast;
   if (look_m2 > kLooks * kKnownSigma_m * kKnownSigma_m) return LookTrouble::kTooFar;
-  return LookTrouble::kNone;
+  return readings.is_spent(k) ? LookTrouble::kTooStill : LookTrouble::kNone;
 }
 
 void LookAdviser::count(const VisionState& state, const PatchReadings& readings) {
@@ -154,8 +158,13 @@ std::string LookAdviser::words_for(const NextLook& next, const Pose& T_design_ca
   if (way_ >= kWays.size() || fits[best] > fits[way_] + kClearly) way_ = best;
   const std::string part = next.part < 0 ? std::string("the spool")
                                          : design_.parts[static_cast<std::size_t>(next.part)].name;
-  if (way_ == 0) return "Next: go closer to " + part + ".";
-  return "Next: look at " + part + " " + std::string(kWays[way_]) + ".";
+  // From where the camera is: what is in its picture is too far off to be known.
+  const Eigen::Vector3d p = T_design_camera.inverse() * target;
+  const Eigen::Vector2d pixel = p.z() > 0 ? camera_.project(p) : Eigen::Vector2d(-1, -1);
+  const bool is_in_picture =
+      pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera_.width && pixel.y() < camera_.height;
+  if (way_ == 0 && is_in_picture) return "Next: go closer to " + part + ".";
+  return "Next: look at " + part + std::string(kWays[way_]) + ".";
 }
 
 }  // namespace spool

@@ -18,8 +18,8 @@
 namespace spool {
 
 // Why a patch that faces the camera, in its picture, does not become known.
-enum class LookTrouble { kNone, kHidden, kTooNear, kTooBright, kTooFast, kTooFar };
-inline constexpr std::size_t kLookTroubles = 6;
+enum class LookTrouble { kNone, kHidden, kTooNear, kTooBright, kTooFast, kTooFar, kTooStill };
+inline constexpr std::size_t kLookTroubles = 7;
 
 // Counts, over the patches in sight that are not known yet, why; says the trouble that more than a
 // third of them have, and keeps to it until fewer have, both beyond chance. Where what is in sight

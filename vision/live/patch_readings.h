@@ -66,6 +66,8 @@ class PatchReadings {
   [[nodiscard]] bool is_known(std::size_t patch) const {
     return of(patch).information * kKnownSigma_m * kKnownSigma_m >= 1;
   }
+  // Half a second's frames saw it from where it is seen now: more of them tell nothing new.
+  [[nodiscard]] bool is_spent(std::size_t patch) const { return kept_[patch].looks > 15; }
   // Of the frame added last: what its motion leaves in doubt of a patch's deviation (m^2), as a
   // pixel is measured at some moment of the exposure.
   [[nodiscard]] double smear_m2(std::size_t patch) const;

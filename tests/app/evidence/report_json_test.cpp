@@ -58,9 +58,12 @@ TEST(ReportJson, FollowsTheSchemaWithEveryOptionalPart) {
   weak.text = "sliding along (0, 0, 1)";
   record.inspection.alignment.weak_directions = {weak};
   record.inspection.findings = {{"unexpected", "post", "points beside it", "1 point"}};
+  record.over_frames = {{true, 0.0012, 0.0004, 0.6}, {false, 0.0, 0.0, 0.0}};
   const auto report = report_of(record);
   expect_valid(report);
   EXPECT_EQ(report["scan"]["frame"], 7);
+  EXPECT_EQ(report["parts"][0]["over_frames"]["u_m"], 0.0004);
+  EXPECT_TRUE(report["parts"][1]["over_frames"]["mean_m"].is_null());
 }
 
 TEST(ReportJson, HoldsTheNumbersOfTheInspection) {

@@ -77,6 +77,12 @@ TEST(LookAdviser, SaysSlowerWhereThePictureSmears) {
   EXPECT_EQ(fast.adviser.trouble(), LookTrouble::kTooFast);
 }
 
+TEST(LookAdviser, SaysMoveOnWhereTheCameraStandsStill) {
+  Adviser still{NoiseModel{}};  // of which one look is not enough
+  for (int i = 0; i < 60; ++i) still.see(test::T_design_camera(), i);
+  EXPECT_EQ(still.adviser.trouble(), LookTrouble::kTooStill);
+}
+
 TEST(LookAdviser, OneFrameChangesNothing) {
   Adviser adviser;
   for (int i = 0; i < 6; ++i) adviser.see(test::walking(i), i);
