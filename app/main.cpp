@@ -79,6 +79,8 @@ Result<ApplicationInputs> prepare(const Flags& flags) {
   if (!first) return first.error();
   in.camera = (*first)->camera();
   in.source_description = (*first)->description();
+  in.source_remark = (*first)->remark();
+  if (!in.source_remark.empty()) spdlog::info("{}", in.source_remark);
   in.is_recording = (*first)->is_recording();
   in.wait_for_jobs = flags.headless && in.is_recording;
   const bool lock_step = in.wait_for_jobs;

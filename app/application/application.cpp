@@ -54,6 +54,7 @@ Result<std::unique_ptr<Application>> Application::create(ApplicationInputs input
   Result<std::unique_ptr<Feed>> feed = in.open_feed();
   if (!feed) return feed.error();
   app->feed_ = std::move(*feed);
+  if (!in.source_remark.empty()) app->notice(in.source_remark);
   return app;
 }
 
@@ -83,6 +84,10 @@ void Application::take_notes() {
       case SensorNote::Kind::kReplugged:
         unplugged_ = false;
         break;
+      case SensorNote::Kind::kTrouble:
+        trouble_ = *note;
+        if (!has_pictures()) lose_sensor();
+        break;
       case SensorNote::Kind::kEnded:
         ended_ = true;
         break;
@@ -103,6 +108,7 @@ std::optional<double> Application::advance() {
   const double before = state_ ? state_->frame->seconds : next->frame->seconds;
   const bool answered = awaiting_alignment_ && next->alignment >= alignments_asked_;
   state_ = std::move(next);
+  if (!state_->is_out) seen_ = state_;
   bool was_moved = state_->was_moved;
   if (answered) {
     awaiting_alignment_ = false;
@@ -206,7 +212,6 @@ void Application::set_look(ScenePicture& scene, const VisionState& state) const 
 // The pictures of the present screen; eyes that nobody moved yet are put where they belong.
 std::vector<ScenePicture> Application::scenes() {
   const VisionStatePtr& state = shown();
-  const bool tracked = state && state->is_tracked();
   const auto whole = [](const ui::Rect& rect) {
     return std::pair(static_cast<int>(rect.width), static_cast<int>(rect.height));
   };
@@ -252,7 +257,7 @@ std::vector<ScenePicture> Application::scenes() {
   ScenePicture work;
   work.rect = layout_.work_view;
   work.view = camera_view(state.get(), in_.width, in_.height);
-  if (!tracked) {  // no overlay at a pose that is not believed
+  if (!shows_pose()) {  // no overlay at a pose that is not believed
     work.of_scan = true;
     work.show_cloud = state != nullptr;
     work.view.T_camera_design = Pose::Identity();

@@ -41,6 +41,7 @@ struct ApplicationInputs {
   bool is_recording = false;
   std::function<Result<std::unique_ptr<Feed>>()> open_feed;
   std::filesystem::path out;  // pictures and evidence go here
+  std::string source_remark;  // what the fitter should know of it at once; may be empty
   double dots_per_inch = 160;
   int width = 1280, height = 800;  // px
   bool wait_for_jobs = false;  // each frame waits for its jobs: the same pictures on any machine
@@ -89,8 +90,10 @@ class Application {
   void take_notes();
   [[nodiscard]] const VisionStatePtr& shown() const {
     if (find_.shown()) return find_.shown();
-    return held_ ? held_ : state_;
+    return held_ ? held_ : seen_;
   }
+  // What is shown is what the sensor sees now, or did last.
+  [[nodiscard]] bool is_live() const { return !find_.shown() && !held_; }
   void route(const std::vector<ui::TouchEvent>& events);
   [[nodiscard]] std::vector<ScenePicture> scenes();
   void set_look(ScenePicture& scene, const VisionState& state) const;
@@ -130,6 +133,8 @@ class Application {
   [[nodiscard]] ui::ScreenState screen_state() const;
   void fill_align(ui::ScreenState& out) const;
   void fill_work(ui::ScreenState& out) const;
+  [[nodiscard]] bool has_pictures() const;
+  [[nodiscard]] bool shows_pose() const;
   [[nodiscard]] bool shows_still() const;
   [[nodiscard]] render::View camera_view(const VisionState* state, int width, int height) const;
   [[nodiscard]] std::vector<render::Marker> design_markers() const;
@@ -147,6 +152,7 @@ class Application {
 
   // What is shown.
   VisionStatePtr state_;         // the newest
+  VisionStatePtr seen_;          // the newest of a picture that did not go out
   VisionStatePtr held_;          // picks are being made on this one
   VisionStatePtr last_tracked_;  // the newest with a believed pose
   VisionStatePtr moved_search_;  // the picture that a moved spool is looked for in; none: it is not
@@ -159,6 +165,7 @@ class Application {
   AlignMethod asked_by_ = AlignMethod::kThreePoint;    // the pose that is awaited
   AlignMethod aligned_by_ = AlignMethod::kThreePoint;  // the pose that is believed
   bool unplugged_ = false, ended_ = false;
+  SensorNote trouble_;  // the sensor's, as last told: kNone until then
   std::optional<Error> failure_;
   enum class ViewMode { kBoth, kScan, kDrawing, kSeen };  // kSeen: how well the drawing is known
   ViewMode view_mode_ = ViewMode::kBoth;

@@ -98,7 +98,7 @@ void Application::handle(const ui::Command& command) {
       feed_ = std::move(*feed);
       ended_ = aligned_ = awaiting_alignment_ = false;
       alignments_asked_ = 0;
-      state_ = held_ = moved_search_ = nullptr;
+      state_ = seen_ = held_ = moved_search_ = nullptr;
       no_search_before_s_ = 0;
       start_align();
       break;
@@ -118,7 +118,7 @@ void Application::handle(const ui::Gesture& gesture) {
     return;
   }
   const VisionStatePtr& state = shown();
-  if (!state || !state->is_tracked()) return;
+  if (!shows_pose()) return;
   if (!detached_) {
     const render::View view = camera_view(state.get(), in_.width, in_.height);
     work_eye_.start(view, (view.T_camera_design * in_.design->model.bounds().center()).z());
@@ -131,7 +131,7 @@ void Application::tap(const ui::Gesture& gesture) {
   const double slop = tap_slop_px(in_.dots_per_inch);
   if (screen_ != ui::Screen::kAlign) {
     const VisionStatePtr& state = shown();
-    if (!state || !state->is_tracked()) return;
+    if (!shows_pose()) return;
     const render::View view =
         detached_ ? work_eye_.view() : camera_view(state.get(), in_.width, in_.height);
     const auto hit =
@@ -195,7 +195,7 @@ std::vector<double> Application::landmark_evidence(std::span<const PointPair> pa
 // Picks are made on one frame: the picture stands still, a recording waits, a camera is followed.
 void Application::hold_picture() {
   if (held_) return;
-  held_ = state_;
+  held_ = seen_;
   feed_->pause(true);
 }
 
@@ -232,7 +232,7 @@ void Application::leave_align() {
 
 void Application::start_check(bool final) {
   const VisionStatePtr state = final ? last_tracked_ : shown();
-  if (!state || !state->is_tracked()) return;
+  if (!state || !(final || shows_pose())) return;
   ++checks_open_;
   InspectorOptions options;
   options.align = AlignMethod::kPose;

@@ -14,9 +14,7 @@ namespace {
 constexpr double kSearchAgainSeconds = 2;  // after a moved spool was not found
 }  // namespace
 
-bool Application::can_find() const {
-  return state_ && !awaiting_alignment_ && !unplugged_ && !failure_;
-}
+bool Application::can_find() const { return seen_ && !awaiting_alignment_ && has_pictures(); }
 
 void Application::start_find() {
   if (!can_find()) return;

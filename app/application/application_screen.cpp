@@ -23,12 +23,31 @@ ui::TrackingMark mark_of(TrackQuality quality) {
       return ui::TrackingMark::kGood;
     case TrackQuality::kPoor:
       return ui::TrackingMark::kPoor;
+    case TrackQuality::kPaused:
+      return ui::TrackingMark::kPaused;
     case TrackQuality::kLost:
       return ui::TrackingMark::kLost;
     case TrackQuality::kUnaligned:
       break;
   }
   return ui::TrackingMark::kNone;
+}
+
+// What the strip says in the place of the camera's name.
+const char* word(sensor::SensorTrouble trouble) {
+  switch (trouble) {
+    case sensor::SensorTrouble::kSilent:
+      return "no picture";
+    case sensor::SensorTrouble::kStuck:
+      return "sensor stuck";
+    case sensor::SensorTrouble::kCovered:
+      return "lens covered";
+    case sensor::SensorTrouble::kWrongMode:
+      return "wrong mode";
+    case sensor::SensorTrouble::kNone:
+      break;
+  }
+  return "";
 }
 
 nlohmann::json to_json(const ui::Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
@@ -53,10 +72,31 @@ render::View Application::camera_view(const VisionState* state, int width, int h
   return view;
 }
 
+// The camera gives pictures of what is before it.
+bool Application::has_pictures() const {
+  switch (trouble_.trouble) {
+    case sensor::SensorTrouble::kSilent:
+    case sensor::SensorTrouble::kStuck:
+    case sensor::SensorTrouble::kWrongMode:
+      return false;
+    case sensor::SensorTrouble::kNone:
+    case sensor::SensorTrouble::kCovered:
+      break;
+  }
+  return !unplugged_ && !failure_;
+}
+
+// The overlay belongs to a live picture, or to one that is held on purpose: without pictures nobody
+// knows where camera and steel are by now.
+bool Application::shows_pose() const {
+  const VisionStatePtr& state = shown();
+  return state && state->is_tracked() && (!is_live() || has_pictures());
+}
+
 bool Application::shows_still() const {
   const VisionStatePtr& state = shown();
-  return screen_ == ui::Screen::kWork && state && state->quality == TrackQuality::kLost &&
-         last_tracked_ && layout_.still.height >= 1;
+  return screen_ == ui::Screen::kWork && state && !shows_pose() &&
+         state->quality != TrackQuality::kUnaligned && last_tracked_ && layout_.still.height >= 1;
 }
 
 std::vector<render::Marker> Application::design_markers() const {
@@ -88,13 +128,16 @@ ui::ScreenState Application::screen_state() const {
   out.title =
       !design.spool.empty() ? design.spool : std::filesystem::path(design.path).stem().string();
   // A path's last part says enough on a strip.
-  out.source = unplugged_
+  out.source = trouble_.trouble != sensor::SensorTrouble::kNone ? word(trouble_.trouble)
+               : unplugged_
                    ? "sensor unplugged"
                    : in_.source_description.substr(in_.source_description.find_last_of('/') + 1);
-  out.source_is_well = !unplugged_ && !failure_;
+  out.source_is_well = !unplugged_ && !failure_ && trouble_.words.empty();
   out.can_replay = in_.is_recording && ended_ && !held_;
   if (now_s_ < notice_until_s_) out.notice = notice_;
-  if (state_) out.tracking = mark_of(state_->quality);
+  if (state_)
+    out.tracking = has_pictures() || !state_->is_tracked() ? mark_of(state_->quality)
+                                                           : ui::TrackingMark::kLost;
   switch (screen_) {
     case ui::Screen::kAlign:
       fill_align(out);
@@ -110,8 +153,14 @@ ui::ScreenState Application::screen_state() const {
   if (failure_) {
     out.hint = failure_->message;
     out.hint_is_warning = true;
+  } else if (!trouble_.words.empty()) {
+    out.hint = trouble_.words;
+    out.hint_is_warning = true;
   } else if (unplugged_) {
     out.hint = "The sensor is unplugged: plug it in again, the work goes on by itself.";
+    out.hint_is_warning = true;
+  } else if (state_ && state_->is_out && is_live()) {
+    out.hint = state_->hint;
     out.hint_is_warning = true;
   } else if (!state_) {
     out.hint = "Waiting for the first picture of the sensor.";
@@ -172,7 +221,7 @@ void Application::fill_work(ui::ScreenState& out) const {
   const VisionStatePtr& state = shown();
   out.aligned = aligned_;
   out.can_find = can_find();
-  out.measured = state && state->is_tracked();
+  out.measured = shows_pose();
   out.still_shown = shows_still();
   out.detached = detached_ && out.measured;
   out.view_word = kViewWords[static_cast<int>(view_mode_)];
@@ -218,7 +267,9 @@ std::string Application::changed_targets() {
                                                     : "work";
   json["width"] = in_.width;
   json["height"] = in_.height;
-  json["tracking"] = state_ ? name(state_->quality) : "none";
+  json["tracking"] = !state_          ? "none"
+                     : has_pictures() ? name(state_->quality)
+                                      : name(TrackQuality::kLost);
   json["picks"] = picks_.pairs().size();
   if (still_of_) {
     json["still"] = {{"frame", still_of_->frame->index}, {"rect", to_json(layout_.still)}};

@@ -25,6 +25,7 @@ class LockStepFeed final : public Feed {
       case sensor::SourceEvent::kFrame:
         break;
       case sensor::SourceEvent::kTimeout:
+      case sensor::SourceEvent::kWrongMode:
         return nullptr;
       case sensor::SourceEvent::kEnd:
         over_ = true;

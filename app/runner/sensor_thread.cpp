@@ -28,6 +28,11 @@ void SensorThread::run(const std::stop_token& stop) {
   // A note cannot be refused while this thread lives: the queue is closed by nobody but its owner.
   const auto tell = [this](SensorNote note) { static_cast<void>(notes_.push(std::move(note))); };
   const bool can_wait = source_->is_recording();
+  const auto start = std::chrono::steady_clock::now();
+  const auto now_s = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  sensor::SensorWatch watch(source_->camera(), now_s());
   while (!stop.stop_requested()) {
     if (can_wait && paused_.load(std::memory_order_relaxed)) {
       std::this_thread::sleep_for(kPauseStep);
@@ -38,11 +43,14 @@ void SensorThread::run(const std::stop_token& stop) {
       tell({SensorNote::Kind::kFailed, output.error()});
       return;
     }
+    if (!can_wait && watch.see(*output, now_s()))
+      tell({SensorNote::Kind::kTrouble, {}, watch.trouble(), watch.words()});
     switch (output->event) {
       case sensor::SourceEvent::kFrame:
-        frames_.put(std::move(output->frame));
+        if (can_wait || watch.is_news()) frames_.put(std::move(output->frame));
         break;
       case sensor::SourceEvent::kTimeout:
+      case sensor::SourceEvent::kWrongMode:
         break;
       case sensor::SourceEvent::kEnd:
         tell({SensorNote::Kind::kEnded, {}});

@@ -5,11 +5,13 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 #include <thread>
 
 #include "app/runner/command_queue.h"
 #include "app/runner/mailbox.h"
 #include "app/sensor/depth_source.h"
+#include "app/sensor/sensor_watch.h"
 #include "vision/core/depth_frame.h"
 #include "vision/core/result.h"
 
@@ -19,14 +21,17 @@ using FramePtr = std::shared_ptr<const DepthFrame>;
 
 // What the screen has to know of the sensor's life; nothing of it is lost.
 struct SensorNote {
-  enum class Kind { kUnplugged, kReplugged, kEnded, kFailed };
+  enum class Kind { kUnplugged, kReplugged, kTrouble, kEnded, kFailed };
   Kind kind = Kind::kEnded;
-  Error error;  // of kFailed
+  Error error = {};  // of kFailed
+  // Of kTrouble: what is wrong from now on (kNone: nothing any more), and what to do about it.
+  sensor::SensorTrouble trouble = sensor::SensorTrouble::kNone;
+  std::string words = {};
 };
 
-// Owns the source from construction to destruction and is the only one to call it. Ends by itself
-// after kEnded and kFailed; the destructor ends it in any state within the source's timeout of 100
-// ms.
+// Owns the source from construction to destruction and is the only one to call it. A camera is
+// watched: frames that tell nothing are not handed on (SensorWatch).  Ends by itself after kEnded
+// and kFailed; the destructor ends it in any state within the source's timeout of 100 ms.
 class SensorThread {
  public:
   SensorThread(std::unique_ptr<sensor::DepthSource> source, Mailbox<FramePtr>& frames,

@@ -21,11 +21,13 @@ enum class SourceEvent {
   kEnd,        // a recording is over
   kUnplugged,  // the device went away; keep asking, kReplugged follows when it is back
   kReplugged,
+  kWrongMode,  // a picture came that is not of camera()'s mode; `text` says how it is
 };
 
 struct SourceOutput {
   SourceEvent event = SourceEvent::kTimeout;
   std::shared_ptr<const DepthFrame> frame;
+  std::string text = {};
 };
 
 // A stream of frames. One thread at a time; frames may be kept and shared between threads.
@@ -37,6 +39,8 @@ class DepthSource {
   [[nodiscard]] virtual const Camera& camera() const = 0;
   // One line for people and reports: kind, device or file, driver.
   [[nodiscard]] virtual std::string description() const = 0;
+  // What the user should know at once, one sentence; empty where there is nothing.
+  [[nodiscard]] virtual std::string remark() const { return {}; }
   // True for a recording: frames wait for the reader and the stream ends.
   [[nodiscard]] virtual bool is_recording() const = 0;
   // The next frame or what happened instead. An Error when the source cannot go on (kBadInput for a

@@ -2,12 +2,15 @@
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
+#include <vector>
 
+#include "app/sensor/camera_choice.h"
 #include "app/sensor/oni_check.h"
 #include "app/sensor/openni.h"
 #include "app/sensor/openni_library.h"
@@ -20,6 +23,14 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
+
+// "640x480 px of 1 mm".
+std::string mode_text(const Camera& camera) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%dx%d px of %g mm", camera.width, camera.height,
+                1e3 * camera.depth_unit_m);
+  return text;
+}
 
 class OpenniSource final : public DepthSource {
  public:
@@ -34,6 +45,8 @@ class OpenniSource final : public DepthSource {
 
   const Camera& camera() const override { return camera_; }
   std::string description() const override { return description_; }
+  std::string remark() const override { return remark_; }
+  void set_remark(std::string remark) { remark_ = std::move(remark); }
   bool is_recording() const override { return is_file_; }
 
   // Opens the device and starts its depth stream. The camera is set the first time and has to be
@@ -54,8 +67,10 @@ class OpenniSource final : public DepthSource {
     if (!camera) return refuse("does not tell its image size and fields of view");
     if (camera_.width != 0 &&
         (camera->width != camera_.width || camera->height != camera_.height ||
-         camera->fx != camera_.fx || camera->depth_unit_m != camera_.depth_unit_m))
+         camera->fx != camera_.fx || camera->depth_unit_m != camera_.depth_unit_m)) {
+      wrong_mode_ = mode_text(*camera) + " pictures and not " + mode_text(camera_);
       return refuse("came back as another camera");
+    }
     camera_ = *camera;
     if (stream_.start() != openni::STATUS_OK)
       return refuse("does not start its depth stream" + library_says());
@@ -83,6 +98,8 @@ class OpenniSource final : public DepthSource {
       if (!is_open_) return wait_for_return(deadline);
       if (!waiting_ && !read(std::min(deadline, Clock::now() + kSlice))) {
         if (failure_) return *failure_;
+        if (!wrong_mode_.empty())
+          return SourceOutput{SourceEvent::kWrongMode, nullptr, std::exchange(wrong_mode_, {})};
         if (ended_ && is_file_ && count_ == 0)
           return refuse("holds no depth frame that OpenNI2 can play").error();
         if (ended_) {
@@ -175,8 +192,13 @@ class OpenniSource final : public DepthSource {
     auto frame = std::make_shared<DepthFrame>();
     frame->width = camera_.width;
     frame->height = camera_.height;
-    if (!copy_depth(from, mirrored_, *frame)) {
-      failure_ = refuse("gave a depth frame of the wrong size").error();
+    // Another program that shares the camera may set another mode.
+    const auto unit = count_metres(from.getVideoMode().getPixelFormat());
+    if ((unit && *unit != camera_.depth_unit_m) || !copy_depth(from, mirrored_, *frame)) {
+      const Camera given{
+          .width = from.getWidth(), .height = from.getHeight(), .depth_unit_m = unit.value_or(0)};
+      wrong_mode_ = mode_text(given) + " pictures and not " + mode_text(camera_);
+      if (is_file_) failure_ = refuse("gave " + wrong_mode_).error();
       return false;
     }
     number(from, *frame);
@@ -216,8 +238,11 @@ class OpenniSource final : public DepthSource {
       break;
     }
     // A camera may need a moment before it can be opened: it is tried again at the next call.
-    if (candidate_.empty() || !open(candidate_))
-      return SourceOutput{SourceEvent::kTimeout, nullptr};
+    if (candidate_.empty() || !open(candidate_)) {
+      if (wrong_mode_.empty()) return SourceOutput{SourceEvent::kTimeout, nullptr};
+      candidate_.clear();  // it would come back the same: a person has to do something
+      return SourceOutput{SourceEvent::kWrongMode, nullptr, std::exchange(wrong_mode_, {})};
+    }
     candidate_.clear();
     return SourceOutput{SourceEvent::kReplugged, nullptr};
   }
@@ -232,7 +257,8 @@ class OpenniSource final : public DepthSource {
   openni::VideoStream stream_;
   bool is_open_ = false, mirrored_ = false, ended_ = false;
   Camera camera_;
-  std::string description_, uri_, device_name_;
+  std::string description_, remark_, uri_, device_name_;
+  std::string wrong_mode_;  // how what came was other than camera_; said once
   std::pair<int, int> usb_;
   std::string candidate_;  // URI of the camera that came back
   std::shared_ptr<DepthFrame> waiting_;
@@ -250,8 +276,9 @@ bool is_no_camera(const std::string& uri) {
 }
 
 OpenedSource opened(std::string name, const std::string& uri, std::unique_ptr<Lease> lease,
-                    bool is_file, const SourceOptions& options) {
+                    bool is_file, const SourceOptions& options, std::string remark = {}) {
   auto source = std::make_unique<OpenniSource>(std::move(name), std::move(lease), is_file, options);
+  source->set_remark(std::move(remark));
   if (const Status status = source->open(uri); !status) return status.error();
   return std::unique_ptr<DepthSource>(std::move(source));
 }
@@ -264,9 +291,12 @@ OpenedSource open_openni_device(const std::string& uri) {
   if (!uri.empty()) return opened("openni:" + uri, uri, *std::move(lease), false, {});
   openni::Array<openni::DeviceInfo> devices;
   openni::OpenNI::enumerateDevices(&devices);
+  std::vector<PluggedCamera> cameras;
   for (int i = 0; i < devices.getSize(); ++i)
     if (const std::string found = devices[i].getUri(); !is_no_camera(found))
-      return opened("openni", found, *std::move(lease), false, {});
+      cameras.push_back({found, devices[i].getName()});
+  if (auto choice = choose_camera(cameras))
+    return opened("openni", choice->uri, *std::move(lease), false, {}, std::move(choice->remark));
   return Error{ErrorCode::kNoDevice,
                "openni: no depth camera is found; plug one in, put its maker's OpenNI2 driver into "
                "openni2/OpenNI2/Drivers beside the programs, or use a recording"};

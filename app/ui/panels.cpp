@@ -15,6 +15,8 @@ const char* word(TrackingMark mark) {
       return "tracking";
     case TrackingMark::kPoor:
       return "unsure";
+    case TrackingMark::kPaused:
+      return "paused";
     case TrackingMark::kLost:
       return "lost";
     case TrackingMark::kNone:

@@ -15,7 +15,7 @@ enum class Screen { kAlign, kChoose, kWork };
 enum class StatusMark { kOk, kSuspicious, kNotOk, kNotMeasured };
 
 // How well the camera's place is known.
-enum class TrackingMark { kNone, kGood, kPoor, kLost };
+enum class TrackingMark { kNone, kGood, kPoor, kPaused, kLost };
 
 // One pick of the alignment.
 struct PairChip {

@@ -25,6 +25,12 @@ constexpr ImGuiWindowFlags kBare = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_NoFocusOnAppearing |
                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+// Two upright bars: it stands still.
+void draw_bars(ImDrawList& list, ImVec2 c, float r, ImU32 tint) {
+  for (const float side : {-0.45F, 0.45F})
+    list.AddRectFilled({c.x + (side - 0.22F) * r, c.y - r}, {c.x + (side + 0.22F) * r, c.y + r},
+                       tint);
+}
 }  // namespace
 
 void begin_panel(const Painter& painter, const char* name, const Rect& rect, bool background) {
@@ -110,6 +116,9 @@ void draw_tracking(ImDrawList& list, TrackingMark mark, ImVec2 c, float r) {
       list.AddCircle(c, r, kSuspiciousColour, 20, 0.25F * r);
       list.PathArcTo(c, r, 0.5F * pi, 1.5F * pi, 12);
       list.PathFillConvex(kSuspiciousColour);
+      break;
+    case TrackingMark::kPaused:
+      draw_bars(list, c, r, kSuspiciousColour);
       break;
     case TrackingMark::kLost:
       list.AddCircle(c, r, kNotOkColour, 20, 0.3F * r);

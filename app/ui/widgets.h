@@ -34,7 +34,7 @@ void begin_panel(const Painter& painter, const char* name, const Rect& rect,
 // The outline of a status about `centre`, radius in px: circle with tick, triangle with question
 // mark, octagon with bar, dashed ring.
 void draw_mark(ImDrawList& list, StatusMark mark, ImVec2 centre, float radius);
-// A dot for tracking: filled, half, hollow with a bar.
+// A dot for tracking: filled, half, hollow with a bar; two bars where it stands still.
 void draw_tracking(ImDrawList& list, TrackingMark mark, ImVec2 centre, float radius);
 
 // Text that ends in "…" where it would pass `width` px.

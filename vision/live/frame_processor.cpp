@@ -11,6 +11,7 @@
 #include "vision/core/stage_clock.h"
 #include "vision/inspect/facing.h"
 #include "vision/live/coverage.h"
+#include "vision/live/dropout_watch.h"
 #include "vision/scan/back_projection.h"
 #include "vision/scan/normals.h"
 
@@ -71,6 +72,7 @@ std::string_view name(TrackQuality quality) {
     case TrackQuality::kGood:
       return "good";
     case TrackQuality::kPoor:
+    case TrackQuality::kPaused:
       return "poor";
     case TrackQuality::kUnaligned:
     case TrackQuality::kLost:
@@ -88,6 +90,7 @@ struct FrameProcessor::Impl {
   Tracker tracker;
   LiveAlignment alignment;
   Coverage coverage;
+  DropoutWatch dropout;
   std::uint64_t revision = 0;
   std::uint64_t alignments = 0;
   std::uint64_t map = 0;           // how often the map was begun anew
@@ -107,6 +110,7 @@ struct FrameProcessor::Impl {
         coverage(design, by, small, with) {}
 
   [[nodiscard]] Result<PointCloud> organised(const DepthFrame& frame) const;
+  void wait(VisionState& state) const;
   void follow_camera(const PointCloud& cloud, VisionState& state);
   void place_design(const PointCloud& cloud, VisionState& state, StageClock& clock);
   void show(const DesignFit& fit, VisionState& state);
@@ -129,6 +133,14 @@ Result<PointCloud> FrameProcessor::Impl::organised(const DepthFrame& frame) cons
   Result<PointCloud> cloud = back_project(every_nth_pixel(frame, options.stride_px), small);
   if (cloud) estimate_organised_normals(*cloud, small, noise);
   return cloud;
+}
+
+// Of a picture that went out: scene, map and design are left alone until it is back.
+void FrameProcessor::Impl::wait(VisionState& state) const {
+  state.is_out = true;
+  state.T_design_camera = T_last;
+  if (alignment.is_set()) state.quality = TrackQuality::kPaused;
+  state.hint = "Paused: the picture went out, hold still for a moment.";
 }
 
 // Where the camera stands in the scene, and how sure that is.
@@ -282,6 +294,10 @@ Result<VisionStatePtr> FrameProcessor::process(std::shared_ptr<const DepthFrame>
   state->alignment = self.alignments;
   state->frame = std::move(frame);
   state->stride_px = self.options.stride_px;
+  if (self.dropout.is_out(*state->frame)) {
+    self.wait(*state);
+    return VisionStatePtr(std::move(state));
+  }
   StageClock clock(state->timing_s);
   const Result<PointCloud> cloud = self.organised(*state->frame);
   if (!cloud) return cloud.error();

@@ -19,8 +19,15 @@
 
 namespace spool {
 
-enum class TrackQuality { kUnaligned, kGood, kPoor, kLost };
-// As poses.csv spells it: good, poor or lost (a frame before the alignment has no pose: lost).
+enum class TrackQuality {
+  kUnaligned,
+  kGood,
+  kPoor,
+  kPaused,  // the picture went out for a moment: the pose is the last one, and not of this frame
+  kLost
+};
+// As poses.csv spells it: good, poor (a paused one too) or lost (a frame before the alignment has
+// no pose: lost).
 [[nodiscard]] std::string_view name(TrackQuality quality);
 
 // Immutable once published; shared between threads by shared_ptr<const VisionState>.
@@ -31,7 +38,8 @@ struct VisionState {
   PointCloud scan;    // the frame thinned: measured points with normals, camera frame (m)
   int stride_px = 1;  // every so many pixels of the frame are in it
   TrackQuality quality = TrackQuality::kUnaligned;
-  std::string hint;  // what to do where quality is not good; one sentence
+  bool is_out = false;  // the picture went out (DropoutWatch): nothing is told of this frame
+  std::string hint;     // what to do where quality is not good; one sentence
   // The camera in the scene; means something unless `camera` is kLost. The map's frame is another
   // one after the map was begun anew: `map` counts them.
   PoseQuality camera = PoseQuality::kLost;

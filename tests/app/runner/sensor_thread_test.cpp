@@ -19,7 +19,11 @@ constexpr milliseconds kLong{10000};
 
 FramePtr tiny_frame(std::int64_t index) {
   auto frame = std::make_shared<DepthFrame>();
+  const Camera camera = test::small_camera();
   frame->index = index;
+  frame->width = camera.width;
+  frame->height = camera.height;
+  frame->depth.assign(std::size_t{160} * 120, static_cast<std::uint16_t>(1000 + index));
   return frame;
 }
 
@@ -76,6 +80,34 @@ TEST(SensorThread, PassesAFailureOnWithItsSentenceAndStops) {
   EXPECT_EQ(note->error.message, error.message);
   life.thread.reset();
   EXPECT_EQ(life.frames.try_take(), std::nullopt);
+}
+
+TEST(SensorThread, SaysThatACameraRepeatsItselfAndHandsTheRepeatsOnToNobody) {
+  std::vector<Step> steps{test::frame_step(tiny_frame(0))};
+  for (int i = 0; i < 300; ++i) {
+    steps.push_back(test::frame_step(tiny_frame(1)));
+    steps.back().delay = milliseconds(5);
+  }
+  Life camera(steps, false);
+  const auto note = camera.notes.pop(kLong);
+  ASSERT_TRUE(note.has_value());
+  EXPECT_EQ(note->kind, SensorNote::Kind::kTrouble);
+  EXPECT_EQ(note->trouble, sensor::SensorTrouble::kStuck);
+  EXPECT_FALSE(note->words.empty());
+  ASSERT_TRUE(camera.frames.take(kLong).has_value());
+  EXPECT_EQ(camera.frames.take(milliseconds(30)), std::nullopt);
+}
+
+TEST(SensorThread, ARecordingMayRepeatItself) {
+  std::vector<Step> steps{test::frame_step(tiny_frame(0))};
+  for (int i = 0; i < 250; ++i) {
+    steps.push_back(test::frame_step(tiny_frame(1)));
+    steps.back().delay = milliseconds(5);
+  }
+  Life recording(steps, true);
+  const auto note = recording.notes.pop(kLong);
+  ASSERT_TRUE(note.has_value());
+  EXPECT_EQ(note->kind, SensorNote::Kind::kEnded);
 }
 
 TEST(SensorThread, EndsWhileItsCameraIsSilent) {

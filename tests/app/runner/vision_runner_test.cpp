@@ -86,8 +86,11 @@ TEST(LiveFeed, ReportsAFrameOfTheWrongSizeAndGoesOn) {
   ASSERT_TRUE(wait_for(*feed, [](const VisionState&) { return true; }));
   const auto note = feed->note();
   ASSERT_TRUE(note.has_value());
-  EXPECT_EQ(note->kind, SensorNote::Kind::kFailed);
-  EXPECT_NE(note->error.message.find("1x1"), std::string::npos);
+  EXPECT_EQ(note->kind, SensorNote::Kind::kTrouble);
+  EXPECT_NE(note->words.find("1x1"), std::string::npos);
+  const auto next = feed->note();
+  ASSERT_TRUE(next.has_value());
+  EXPECT_EQ(next->trouble, sensor::SensorTrouble::kNone) << "and that it is over";
 }
 
 TEST(LockStepFeed, TakesEveryFrameInOrderAndWaitsWhilePaused) {

@@ -1,0 +1,104 @@
+// What the screen makes of a sensor that is unplugged, stuck or blinded, and of its last seconds.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "render/image.h"
+#include "tests/app/application/bench.h"
+
+namespace spool {
+namespace {
+
+using test::standing_still;
+
+class SensorLife : public test::Bench {
+ protected:
+  [[nodiscard]] std::string hint() const { return screen_["hint"]; }
+  void align() {
+    pick_three();
+    press("Done");
+    ASSERT_EQ(screen_["screen"], "work");
+  }
+  void tell(SensorNote::Kind kind, sensor::SensorTrouble trouble = sensor::SensorTrouble::kNone,
+            const std::string& words = {}) {
+    notes_->push_back({kind, {}, trouble, words});
+    step();
+    step();
+  }
+};
+
+TEST_F(SensorLife, WithoutPicturesTheOverlayGoesAndComesBackWithThem) {
+  struct Case {
+    const char* name;
+    SensorNote::Kind kind;
+    sensor::SensorTrouble trouble;
+    std::string words;
+    SensorNote::Kind over;
+  };
+  using Kind = SensorNote::Kind;
+  for (const Case& each : {Case{"unplugged", Kind::kUnplugged, {}, "unplugged", Kind::kReplugged},
+                           Case{"stuck", Kind::kTrouble, sensor::SensorTrouble::kStuck,
+                                "It repeats itself.", Kind::kTrouble},
+                           Case{"silent", Kind::kTrouble, sensor::SensorTrouble::kSilent,
+                                "No picture comes.", Kind::kTrouble},
+                           Case{"wrong mode", Kind::kTrouble, sensor::SensorTrouble::kWrongMode,
+                                "It gives 320x240.", Kind::kTrouble}}) {
+    SCOPED_TRACE(each.name);
+    start(standing_still(40));
+    ASSERT_NO_FATAL_FAILURE(align());
+    EXPECT_TRUE(offers("Check"));
+    tell(each.kind, each.trouble, each.words);
+    EXPECT_NE(hint().find(each.words), std::string::npos) << hint();
+    EXPECT_EQ(screen_["tracking"], "lost") << "nobody knows where the camera is by now";
+    EXPECT_FALSE(offers("Check") || offers("Find"));
+    EXPECT_TRUE(screen_.contains("still"));
+    tell(each.over);
+    EXPECT_EQ(hint().find(each.words), std::string::npos) << hint();
+    EXPECT_NE(screen_["tracking"], "lost");
+    EXPECT_TRUE(offers("Check"));
+    EXPECT_EQ(screen_["screen"], "work") << "in the same scene, with the same alignment";
+    app_.reset();
+  }
+}
+
+TEST_F(SensorLife, ACoveredLensIsSaidWhileVisionGoesOn) {
+  start(standing_still(30));
+  ASSERT_NO_FATAL_FAILURE(align());
+  tell(SensorNote::Kind::kTrouble, sensor::SensorTrouble::kCovered, "Uncover the lens.");
+  EXPECT_EQ(hint(), "Uncover the lens.");
+  EXPECT_NE(screen_["tracking"], "lost") << "what is lost is said by vision";
+}
+
+TEST_F(SensorLife, AnArcLeavesTheLastGoodPictureAndSaysPaused) {
+  constexpr int kArc = 30, kAfter = 36;
+  std::vector<test::Step> steps = standing_still(50);
+  for (int i = kArc; i < kAfter; ++i) {
+    auto blind = std::make_shared<DepthFrame>(*steps[static_cast<std::size_t>(i)].output.frame);
+    for (std::size_t p = 0; p < blind->depth.size(); ++p)
+      if (p % 40 != 0) blind->depth[p] = 0;
+    steps[static_cast<std::size_t>(i)] = test::frame_step(blind);
+  }
+  start(std::move(steps));
+  ASSERT_NO_FATAL_FAILURE(align());
+  while (hint().find("Paused") == std::string::npos && !app_->source_has_ended()) step();
+  ASSERT_FALSE(app_->source_has_ended());
+  EXPECT_EQ(screen_["tracking"], "poor");
+  EXPECT_TRUE(offers("Check")) << "of the picture that is shown";
+  EXPECT_FALSE(screen_.contains("still"));
+  const render::Image first = app_->picture().target().read();
+  step();
+  EXPECT_TRUE(app_->picture().target().read().rgba == first.rgba) << "it stands still";
+  for (int i = 0; i < 8; ++i) step();
+  EXPECT_EQ(hint().find("Paused"), std::string::npos) << hint();
+  EXPECT_EQ(screen_["tracking"], "good") << "at once afterwards";
+  const std::string csv = app_->poses().text();
+  for (int i = kArc; i < kAfter; ++i)
+    EXPECT_NE(csv.find("\n" + std::to_string(i) + ","), std::string::npos) << i;
+  EXPECT_EQ(csv.find(",lost,", csv.find("\n" + std::to_string(kArc) + ",")), std::string::npos);
+}
+
+}  // namespace
+}  // namespace spool
