@@ -36,6 +36,7 @@ Application::Application(ApplicationInputs inputs)
 Application::~Application() {
   finder_.cancel();
   jobs_.wait();
+  saving_.wait();
   feed_.reset();
   picture_.reset();
 }
@@ -144,8 +145,12 @@ void Application::route(const std::vector<ui::TouchEvent>& events) {
 
 Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& events) {
   now_s_ = now_s;
-  if (in_.wait_for_jobs) jobs_.wait();
+  if (in_.wait_for_jobs) {
+    jobs_.wait();
+    saving_.wait();
+  }
   take_checks();
+  take_saved();
   take_find();
   while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);
   for (const ui::TouchEvent& event : events) input_.push(event);
@@ -283,8 +288,8 @@ std::vector<ScenePicture> Application::scenes() {
 }
 
 bool Application::is_idle() const {
-  return input_.empty() && checks_open_ == 0 && !pending_screen_ && !awaiting_alignment_ &&
-         !find_.is_running();
+  return input_.empty() && checks_open_ == 0 && saves_open_ == 0 && !pending_screen_ &&
+         !awaiting_alignment_ && !find_.is_running();
 }
 
 void Application::give_up_picks() {

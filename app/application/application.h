@@ -90,10 +90,11 @@ class Application {
   void take_notes();
   [[nodiscard]] const VisionStatePtr& shown() const {
     if (find_.shown()) return find_.shown();
-    return held_ ? held_ : seen_;
+    if (held_) return held_;
+    return frozen_ ? frozen_ : seen_;
   }
   // What is shown is what the sensor sees now, or did last.
-  [[nodiscard]] bool is_live() const { return !find_.shown() && !held_; }
+  [[nodiscard]] bool is_live() const { return !find_.shown() && !held_ && !frozen_; }
   void route(const std::vector<ui::TouchEvent>& events);
   [[nodiscard]] std::vector<ScenePicture> scenes();
   void set_look(ScenePicture& scene, const VisionState& state) const;
@@ -113,6 +114,8 @@ class Application {
   void start_check(bool final);
   void take_checks();
   void save_screen(const std::string& file);
+  void save_last();
+  void take_saved();
   void notice(std::string text);
   void fail(const Error& error);
   // application_find.cpp
@@ -154,6 +157,7 @@ class Application {
   VisionStatePtr state_;         // the newest
   VisionStatePtr seen_;          // the newest of a picture that did not go out
   VisionStatePtr held_;          // picks are being made on this one
+  VisionStatePtr frozen_;        // looked at, while the live ones go on underneath
   VisionStatePtr last_tracked_;  // the newest with a believed pose
   VisionStatePtr moved_search_;  // the picture that a moved spool is looked for in; none: it is not
   double no_search_before_s_ = 0;
@@ -170,7 +174,7 @@ class Application {
   enum class ViewMode { kBoth, kScan, kDrawing, kSeen };  // kSeen: how well the drawing is known
   ViewMode view_mode_ = ViewMode::kBoth;
   int lit_part_ = -1;
-  bool list_open_ = false;
+  bool list_open_ = false, menu_open_ = false;
   std::string notice_;
   double notice_until_s_ = 0;
   double now_s_ = 0;
@@ -194,7 +198,10 @@ class Application {
   CommandQueue<Checked> checked_;
   CommandQueue<Error> write_errors_;
   std::optional<Error> first_write_error_;
-  JobThread jobs_;  // last but one: its jobs use what stands above
+  CommandQueue<Result<std::string>> saved_;  // what was said of each saving
+  int saves_open_ = 0;
+  JobThread saving_;  // a thread of its own: a check need not wait for so many files
+  JobThread jobs_;    // last but one: its jobs use what stands above
   FindWorker finder_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "app/application/application.h"
 #include "app/application/landmark_evidence.h"
+#include "app/application/last_seconds.h"
 #include "app/application/picking.h"
 #include "app/evidence/writer.h"
 #include "vision/core/file_digest.h"
@@ -60,6 +61,7 @@ void Application::handle(const ui::Command& command) {
     case ui::Action::kBack:
       stop_find();
       picks_.clear();
+      menu_open_ = false;
       release_picture();
       screen_ = ui::Screen::kWork;
       break;
@@ -87,6 +89,16 @@ void Application::handle(const ui::Command& command) {
       break;
     case ui::Action::kLightPart:
       lit_part_ = lit_part_ == command.part ? -1 : command.part;
+      break;
+    case ui::Action::kFreeze:
+      frozen_ = frozen_ || !shows_pose() ? nullptr : shown();
+      break;
+    case ui::Action::kMenu:
+      menu_open_ = !menu_open_;
+      break;
+    case ui::Action::kSaveLast:
+      menu_open_ = false;
+      save_last();
       break;
     case ui::Action::kReplay: {
       Result<std::unique_ptr<Feed>> feed = in_.open_feed();
@@ -180,6 +192,8 @@ void Application::pick(const ui::Gesture& gesture, double slop) {
 
 void Application::start_align() {
   screen_ = ui::Screen::kAlign;
+  frozen_.reset();
+  menu_open_ = false;
   picks_.clear();
   list_open_ = false;
 }
@@ -222,6 +236,7 @@ void Application::ask_for_alignment(VisionStatePtr on, const Pose& T_design_came
 void Application::leave_align() {
   aligned_by_ = asked_by_;
   screen_ = ui::Screen::kWork;
+  menu_open_ = false;
   picks_.clear();
   held_.reset();
   detached_ = false;
@@ -303,6 +318,36 @@ void Application::save_screen(const std::string& file) {
   });
 }
 
+// What the sensor gave until now, all of it, not only what vision came to.
+void Application::save_last() {
+  auto last = std::make_shared<LastSeconds>(
+      LastSeconds{in_.camera, feed_->last_frames(), PoseTable(in_.design->model.origin)});
+  std::vector<std::int64_t> numbers;
+  for (const sensor::PackedDepthPtr& frame : last->frames) numbers.push_back(frame->index);
+  last->poses = poses_.renumbered(numbers);
+  ++saves_open_;
+  notice(fmt::format("Saving the last {:.0f} seconds.", last->seconds()));
+  saving_.run([this, last] {
+    const Result<std::filesystem::path> folder = save_last_seconds(in_.out, *last);
+    Result<std::string> said = std::string();
+    if (folder)
+      said = fmt::format("Saved the last {:.1f} s in {}.", last->seconds(), folder->string());
+    else
+      said = folder.error();
+    static_cast<void>(saved_.push(std::move(said)));
+  });
+}
+
+void Application::take_saved() {
+  while (const std::optional<Result<std::string>> said = saved_.try_pop()) {
+    --saves_open_;
+    if (*said)
+      notice(**said);
+    else
+      fail(said->error());
+  }
+}
+
 void Application::notice(std::string text) {
   notice_ = std::move(text);
   notice_until_s_ = now_s_ + kNoticeSeconds;
@@ -321,6 +366,8 @@ Status Application::finish() {
   jobs_.wait();   // the inspection
   take_checks();  // draws its pictures
   jobs_.wait();   // writes them
+  saving_.wait();
+  take_saved();
   while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);
   if (first_write_error_) return *first_write_error_;
   return {};

@@ -136,8 +136,10 @@ ui::ScreenState Application::screen_state() const {
   out.can_replay = in_.is_recording && ended_ && !held_;
   if (now_s_ < notice_until_s_) out.notice = notice_;
   if (state_)
-    out.tracking = has_pictures() || !state_->is_tracked() ? mark_of(state_->quality)
-                                                           : ui::TrackingMark::kLost;
+    out.tracking = frozen_                                   ? ui::TrackingMark::kFrozen
+                   : has_pictures() || !state_->is_tracked() ? mark_of(state_->quality)
+                                                             : ui::TrackingMark::kLost;
+  out.menu_open = menu_open_;
   switch (screen_) {
     case ui::Screen::kAlign:
       fill_align(out);
@@ -222,6 +224,7 @@ void Application::fill_work(ui::ScreenState& out) const {
   out.aligned = aligned_;
   out.can_find = can_find();
   out.measured = shows_pose();
+  out.frozen = frozen_ != nullptr;
   out.still_shown = shows_still();
   out.detached = detached_ && out.measured;
   out.view_word = kViewWords[static_cast<int>(view_mode_)];
@@ -234,6 +237,10 @@ void Application::fill_work(ui::ScreenState& out) const {
     out.hint = state->hint;
     out.hint_is_warning = !state->hint.empty();
     out.point_noise_mm = 1e3 * state->point_noise_m;
+  }
+  if (frozen_) {
+    out.hint = "Frozen: look as long as you like; Live goes on from where the camera is.";
+    out.hint_is_warning = false;
   }
   if (out.hint.empty() && state) out.hint = state->coverage.advice.text;
   if (out.hint.empty()) out.hint = "Look where it matters, then press Check.";
@@ -270,6 +277,7 @@ std::string Application::changed_targets() {
   json["tracking"] = !state_          ? "none"
                      : has_pictures() ? name(state_->quality)
                                       : name(TrackQuality::kLost);
+  if (frozen_) json["frozen_frame"] = frozen_->frame->index;
   json["picks"] = picks_.pairs().size();
   if (still_of_) {
     json["still"] = {{"frame", still_of_->frame->index}, {"rect", to_json(layout_.still)}};

@@ -15,6 +15,18 @@ void PoseTable::add(const std::vector<TrackRow>& rows) {
   for (const TrackRow& row : rows) rows_[row.frame] = row;
 }
 
+PoseTable PoseTable::renumbered(std::span<const std::int64_t> frames) const {
+  PoseTable out(origin_);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const auto row = rows_.find(frames[i]);
+    if (row == rows_.end()) continue;  // it went by while vision was busy
+    TrackRow renumbered = row->second;
+    renumbered.frame = static_cast<std::int64_t>(i);
+    out.rows_[renumbered.frame] = renumbered;
+  }
+  return out;
+}
+
 std::string PoseTable::text() const {
   std::string out = "frame,seconds,quality";
   for (int row = 0; row < 4; ++row) {

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 #include <map>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "app/runner/vision_runner.h"
@@ -18,6 +20,8 @@ class PoseTable {
   // `origin`: the design's own (m); the file holds poses in the design file's coordinates.
   explicit PoseTable(const Eigen::Vector3d& origin) : origin_(origin) {}
   void add(const std::vector<TrackRow>& rows);
+  // The rows of these frames, by their place in the list.
+  [[nodiscard]] PoseTable renumbered(std::span<const std::int64_t> frames) const;
   [[nodiscard]] std::string text() const;
   [[nodiscard]] Status write(const std::filesystem::path& path) const;  // whole or not at all
 

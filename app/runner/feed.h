@@ -23,6 +23,8 @@ class Feed {
   // Rows of all frames since the last call, none left out, in order.
   [[nodiscard]] virtual std::vector<TrackRow> take_track() = 0;
   virtual void command(VisionCommand command) = 0;
+  // What the sensor gave in the last seconds, oldest first.
+  [[nodiscard]] virtual std::vector<sensor::PackedDepthPtr> last_frames() const = 0;
   virtual void pause(bool paused) = 0;  // a recording waits; a camera goes on
 };
 

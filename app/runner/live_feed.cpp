@@ -13,7 +13,7 @@ class LiveFeed final : public Feed {
  public:
   LiveFeed(std::unique_ptr<sensor::DepthSource> source, FrameProcessor processor)
       : vision_(std::move(processor), VisionPorts{frames_, states_, notes_, track_}),
-        sensor_(std::move(source), frames_, notes_) {}
+        sensor_(std::move(source), frames_, notes_, ring_) {}
 
   VisionStatePtr poll() override { return states_.try_take().value_or(nullptr); }
   std::optional<SensorNote> note() override { return notes_.try_pop(); }
@@ -23,6 +23,7 @@ class LiveFeed final : public Feed {
     return rows;
   }
   void command(VisionCommand command) override { vision_.command(std::move(command)); }
+  std::vector<sensor::PackedDepthPtr> last_frames() const override { return ring_.frames(); }
   void pause(bool paused) override { sensor_.pause(paused); }
 
  private:
@@ -30,6 +31,7 @@ class LiveFeed final : public Feed {
   Mailbox<VisionStatePtr> states_;
   CommandQueue<SensorNote> notes_;
   CommandQueue<TrackRow> track_;
+  sensor::FrameRing ring_;
   VisionRunner vision_;
   SensorThread sensor_;  // last: its thread ends first
 };

@@ -38,6 +38,7 @@ class LockStepFeed final : public Feed {
         notes_.push_back({SensorNote::Kind::kReplugged, {}});
         return nullptr;
     }
+    ring_.add(*output->frame);
     Result<VisionStatePtr> state = processor_.process(std::move(output->frame));
     if (!state) return fail(state.error());
     track_.push_back(track_row(**state));
@@ -60,6 +61,8 @@ class LockStepFeed final : public Feed {
     }
   }
 
+  std::vector<sensor::PackedDepthPtr> last_frames() const override { return ring_.frames(); }
+
   void pause(bool paused) override { paused_ = paused; }
 
  private:
@@ -71,6 +74,7 @@ class LockStepFeed final : public Feed {
 
   std::unique_ptr<sensor::DepthSource> source_;
   FrameProcessor processor_;
+  sensor::FrameRing ring_;
   std::deque<SensorNote> notes_;
   std::vector<TrackRow> track_;
   VisionStatePtr answer_;  // of a command, shown before the next frame

@@ -14,10 +14,11 @@ constexpr std::chrono::milliseconds kPauseStep{10};
 }  // namespace
 
 SensorThread::SensorThread(std::unique_ptr<sensor::DepthSource> source, Mailbox<FramePtr>& frames,
-                           CommandQueue<SensorNote>& notes)
+                           CommandQueue<SensorNote>& notes, sensor::FrameRing& ring)
     : source_(std::move(source)),
       frames_(frames),
       notes_(notes),
+      ring_(ring),
       thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
 SensorThread::~SensorThread() = default;
@@ -47,7 +48,9 @@ void SensorThread::run(const std::stop_token& stop) {
       tell({SensorNote::Kind::kTrouble, {}, watch.trouble(), watch.words()});
     switch (output->event) {
       case sensor::SourceEvent::kFrame:
-        if (can_wait || watch.is_news()) frames_.put(std::move(output->frame));
+        // Vision first: packing takes its time.
+        if (can_wait || watch.is_news()) frames_.put(output->frame);
+        if (watch.trouble() != sensor::SensorTrouble::kWrongMode) ring_.add(*output->frame);
         break;
       case sensor::SourceEvent::kTimeout:
       case sensor::SourceEvent::kWrongMode:

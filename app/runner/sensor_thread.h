@@ -11,6 +11,7 @@
 #include "app/runner/command_queue.h"
 #include "app/runner/mailbox.h"
 #include "app/sensor/depth_source.h"
+#include "app/sensor/frame_ring.h"
 #include "app/sensor/sensor_watch.h"
 #include "vision/core/depth_frame.h"
 #include "vision/core/result.h"
@@ -30,12 +31,13 @@ struct SensorNote {
 };
 
 // Owns the source from construction to destruction and is the only one to call it. A camera is
-// watched: frames that tell nothing are not handed on (SensorWatch).  Ends by itself after kEnded
-// and kFailed; the destructor ends it in any state within the source's timeout of 100 ms.
+// watched: frames that tell nothing are not handed on (SensorWatch). The ring keeps the last
+// seconds. Ends by itself after kEnded and kFailed; the destructor ends it in any state within the
+// source's timeout of 100 ms.
 class SensorThread {
  public:
   SensorThread(std::unique_ptr<sensor::DepthSource> source, Mailbox<FramePtr>& frames,
-               CommandQueue<SensorNote>& notes);
+               CommandQueue<SensorNote>& notes, sensor::FrameRing& ring);
   SensorThread(const SensorThread&) = delete;
   SensorThread& operator=(const SensorThread&) = delete;
   ~SensorThread();
@@ -49,6 +51,7 @@ class SensorThread {
   std::unique_ptr<sensor::DepthSource> source_;
   Mailbox<FramePtr>& frames_;
   CommandQueue<SensorNote>& notes_;
+  sensor::FrameRing& ring_;
   std::atomic<bool> paused_{false};  // set by the main thread, read by the sensor's
   std::jthread thread_;              // last: starts when all else stands
 };

@@ -119,9 +119,14 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
     commands.push_back({Action::kBack});
   }
   if (big_button(painter, "Shot", layout.actions[3])) commands.push_back({Action::kShot});
-  if (state.can_replay && big_button(painter, "Replay", layout.actions[4])) {
-    commands.push_back({Action::kReplay});
+  if (state.can_replay) {
+    if (big_button(painter, "Replay", layout.actions[4])) commands.push_back({Action::kReplay});
+    return;
   }
+  if (big_button(painter, "More", layout.actions[4], state.menu_open ? "close" : ""))
+    commands.push_back({Action::kMenu});
+  if (state.menu_open && big_button(painter, "Save", layout.extras[0], "last 10 s"))
+    commands.push_back({Action::kSaveLast});
 }
 
 }  // namespace spool::ui

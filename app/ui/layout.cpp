@@ -21,6 +21,17 @@ constexpr double kStillDp = 180;         // height of the last good view
 constexpr double kStillShare = 0.3;      // or of the screen's, where that is less
 constexpr double kStillWordsDp = 32;
 
+// Beside the last actions in landscape, above them in portrait; over the card, which stays free.
+void place_extras(Layout& out, double dp) {
+  const double margin = kMarginDp * dp, height = kTargetDp * dp;
+  const Rect& action = out.actions[kActions - 1];
+  const double x = out.portrait ? action.x : action.x - margin - action.width;
+  const double room = out.card.y - out.strip.height;  // gaps close up before targets shrink
+  const double gap = std::clamp((room - kExtras * height) / kExtras, 2.0 * dp, margin);
+  for (int i = 0; i < kExtras; ++i)
+    out.extras[i] = {x, out.card.y - (i + 1) * (height + gap), action.width, height};
+}
+
 // Above the card, where nothing else is while the spool is lost; in whole pixels.
 void place_still(Layout& out, double height_px, double dp) {
   const double margin = kMarginDp * dp, words = std::floor(kStillWordsDp * dp);
@@ -53,6 +64,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
     }
     out.card = {margin, y - margin - kCardDp * dp, width_px - 2 * margin, kCardDp * dp};
     out.align_card = out.card;
+    place_extras(out, dp);
     place_still(out, height_px, dp);
     out.legend_bottom = out.card.y;
     const double half = std::floor(0.5 * (out.card.y - margin - top));
@@ -78,6 +90,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
   const bool beside = card_y - top < kLegendHeightDp * dp;
   const double card_x = beside ? kLegendDp * dp : margin;
   out.card = {card_x, card_y, std::min(kCardWidthDp * dp, x - card_x - margin), kCardDp * dp};
+  place_extras(out, dp);
   place_still(out, height_px, dp);
   out.legend_bottom = beside ? height_px : card_y;
   out.align_card = {margin, out.card.y, x - 2 * margin, out.card.height};

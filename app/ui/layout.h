@@ -20,6 +20,7 @@ inline constexpr double kBodySp = 16;
 inline constexpr double kSmallSp = 14;
 inline constexpr double kNumberSp = 30;
 inline constexpr int kActions = 5;
+inline constexpr int kExtras = 3;
 
 // Pixels of one density-independent unit (1/160 inch). Under 160 dots an inch text would get too
 // few pixels to be read, so a unit is never less than one pixel.
@@ -29,6 +30,7 @@ struct Layout {
   bool portrait = false;
   Rect strip;                // words along the top
   Rect actions[kActions];    // where the thumb is: right edge, or the bottom in portrait
+  Rect extras[kExtras];      // beside the actions, from the thumb away: what is not always there
   Rect card;                 // Work: the readout, bottom left
   Rect still;                // Work, while the spool is lost: its last good view, 4:3
   Rect still_words;          // under it

@@ -17,6 +17,8 @@ const char* word(TrackingMark mark) {
       return "unsure";
     case TrackingMark::kPaused:
       return "paused";
+    case TrackingMark::kFrozen:
+      return "frozen";
     case TrackingMark::kLost:
       return "lost";
     case TrackingMark::kNone:

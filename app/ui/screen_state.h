@@ -15,7 +15,7 @@ enum class Screen { kAlign, kChoose, kWork };
 enum class StatusMark { kOk, kSuspicious, kNotOk, kNotMeasured };
 
 // How well the camera's place is known.
-enum class TrackingMark { kNone, kGood, kPoor, kPaused, kLost };
+enum class TrackingMark { kNone, kGood, kPoor, kPaused, kFrozen, kLost };
 
 // One pick of the alignment.
 struct PairChip {
@@ -43,6 +43,8 @@ struct ScreenState {
   std::string hint;  // what to do next: never empty
   bool hint_is_warning = false;
   std::string notice;  // what just happened ("Saved screen_001.png"); empty: nothing
+
+  bool menu_open = false;  // what More has
 
   // Align
   std::vector<PairChip> chips;
@@ -72,6 +74,7 @@ struct ScreenState {
   std::string overall_reason;
   bool checked = false;      // `overall` is from a check of this very frame
   bool checking = false;     // one is on its way
+  bool frozen = false;       // the picture stands, with its pose and numbers, until Live
   bool detached = false;     // the view is not the camera's
   bool can_replay = false;   // a recording came to its end
   std::string view_word;     // what View shows now: "both", "scan", "drawing", "seen"
@@ -90,6 +93,9 @@ enum class Action {
   kView,
   kCameraView,
   kReplay,
+  kFreeze,    // or go on with the live picture
+  kMenu,      // More: open or close it
+  kSaveLast,  // the last seconds of the sensor
   kSkip,
   kUndo,
   kFinish,

@@ -120,6 +120,9 @@ void draw_tracking(ImDrawList& list, TrackingMark mark, ImVec2 c, float r) {
     case TrackingMark::kPaused:
       draw_bars(list, c, r, kSuspiciousColour);
       break;
+    case TrackingMark::kFrozen:
+      draw_bars(list, c, r, kGhostColour);
+      break;
     case TrackingMark::kLost:
       list.AddCircle(c, r, kNotOkColour, 20, 0.3F * r);
       list.AddLine({c.x - 0.6F * r, c.y + 0.6F * r}, {c.x + 0.6F * r, c.y - 0.6F * r}, kNotOkColour,

@@ -1,4 +1,4 @@
-// The Work screen: the number that decides, the parts worst first, five actions.
+// The Work screen: the number that decides, the parts worst first, five actions and what More has.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
@@ -202,6 +202,32 @@ void draw_still(const Painter& painter) {
   list.AddText(font, font->FontSize, {low.x + 10 * dp, y}, kTextColour, text.c_str());
 }
 
+// A frame about the whole picture: nobody takes it for the live one.
+void draw_frozen(const Painter& painter) {
+  const auto dp = static_cast<float>(painter.theme.dp);
+  const Rect& view = painter.layout.work_view;
+  const float half = 2 * dp;
+  ImGui::GetForegroundDrawList()->AddRect(
+      {half, half}, {static_cast<float>(view.width) - half, static_cast<float>(view.height) - half},
+      kGhostColour, 0, 0, 2 * half);
+}
+
+// What is asked for now and then, and what is there while it makes sense.
+void draw_extras(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
+  const Layout& layout = painter.layout;
+  if (state.detached) {
+    if (big_button(painter, "Camera", layout.extras[0], "view"))
+      commands.push_back({Action::kCameraView});
+  } else if (state.can_replay && big_button(painter, "Replay", layout.extras[0])) {
+    commands.push_back({Action::kReplay});
+  }
+  if (!state.menu_open) return;
+  if (big_button(painter, "Save", layout.extras[1], "last 10 s"))
+    commands.push_back({Action::kSaveLast});
+  if (state.aligned && big_button(painter, "View", layout.extras[2], state.view_word))
+    commands.push_back({Action::kView});
+}
+
 }  // namespace
 
 void draw_work(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
@@ -221,16 +247,16 @@ void draw_work(const ScreenState& state, const Painter& painter, std::vector<Com
     commands.push_back({Action::kFind});
   }
   if (big_button(painter, "Shot", layout.actions[2])) commands.push_back({Action::kShot});
-  if (state.aligned && big_button(painter, "View", layout.actions[3], state.view_word)) {
-    commands.push_back({Action::kView});
+  if (state.frozen) {
+    draw_frozen(painter);
+    if (big_button(painter, "Live", layout.actions[3], "go on", ButtonLook::kPrimary))
+      commands.push_back({Action::kFreeze});
+  } else if (state.measured && big_button(painter, "Freeze", layout.actions[3])) {
+    commands.push_back({Action::kFreeze});
   }
-  if (state.detached) {
-    if (big_button(painter, "Camera", layout.actions[4], "view")) {
-      commands.push_back({Action::kCameraView});
-    }
-  } else if (state.can_replay && big_button(painter, "Replay", layout.actions[4])) {
-    commands.push_back({Action::kReplay});
-  }
+  if (big_button(painter, "More", layout.actions[4], state.menu_open ? "close" : ""))
+    commands.push_back({Action::kMenu});
+  draw_extras(state, painter, commands);
 }
 
 }  // namespace spool::ui

@@ -43,6 +43,7 @@ class NotedFeed final : public Feed {
   }
   std::vector<TrackRow> take_track() override { return feed_->take_track(); }
   void command(VisionCommand command) override { feed_->command(std::move(command)); }
+  std::vector<sensor::PackedDepthPtr> last_frames() const override { return feed_->last_frames(); }
   void pause(bool paused) override { feed_->pause(paused); }
 
  private:

@@ -53,7 +53,7 @@ TEST_F(SensorLife, WithoutPicturesTheOverlayGoesAndComesBackWithThem) {
     tell(each.kind, each.trouble, each.words);
     EXPECT_NE(hint().find(each.words), std::string::npos) << hint();
     EXPECT_EQ(screen_["tracking"], "lost") << "nobody knows where the camera is by now";
-    EXPECT_FALSE(offers("Check") || offers("Find"));
+    EXPECT_FALSE(offers("Check") || offers("Freeze") || offers("Find"));
     EXPECT_TRUE(screen_.contains("still"));
     tell(each.over);
     EXPECT_EQ(hint().find(each.words), std::string::npos) << hint();
@@ -98,6 +98,56 @@ TEST_F(SensorLife, AnArcLeavesTheLastGoodPictureAndSaysPaused) {
   for (int i = kArc; i < kAfter; ++i)
     EXPECT_NE(csv.find("\n" + std::to_string(i) + ","), std::string::npos) << i;
   EXPECT_EQ(csv.find(",lost,", csv.find("\n" + std::to_string(kArc) + ",")), std::string::npos);
+}
+
+TEST_F(SensorLife, TheLastSecondsAreSavedAsADepthFolderWithItsPoses) {
+  start(standing_still(25));
+  ASSERT_NO_FATAL_FAILURE(align());
+  for (int i = 0; i < 5; ++i) step();
+  EXPECT_FALSE(offers("Save"));
+  press("More");
+  press("Save");
+  EXPECT_FALSE(offers("Save")) << "the menu is gone";
+  const std::filesystem::path folder = folder_.path() / "out" / "last_001";
+  const auto source = sensor::open_source(folder.string());
+  ASSERT_TRUE(source.has_value()) << source.error().message;
+  std::size_t frames = 0;
+  for (;; ++frames) {
+    const auto next = (*source)->next(std::chrono::milliseconds(100));
+    ASSERT_TRUE(next.has_value());
+    if (!next->frame) break;
+    const auto given =
+        test::render_frame(*design_, test::T_design_camera(), static_cast<std::int64_t>(frames));
+    EXPECT_EQ(next->frame->depth, given->depth) << frames;
+  }
+  EXPECT_GT(frames, 10U);
+  std::ifstream poses(folder / "poses.csv");
+  std::stringstream text;
+  text << poses.rdbuf();
+  EXPECT_NE(text.str().find("\n9,"), std::string::npos) << text.str();
+  EXPECT_NE(text.str().find(",good,"), std::string::npos) << text.str();
+  press("More");
+  press("Save");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "last_002" / "camera.json"));
+  EXPECT_TRUE(app_->finish().has_value());
+}
+
+TEST_F(SensorLife, TheLastSecondsCanBeSavedBeforeAnAlignmentToo) {
+  start(standing_still(8));
+  for (int i = 0; i < 3; ++i) step();
+  press("More");
+  press("Save");
+  EXPECT_TRUE(std::filesystem::exists(folder_.path() / "out" / "last_001" / "poses.csv"));
+}
+
+TEST_F(SensorLife, WhatCannotBeSavedIsSaidAndLeavesNothing) {
+  start(standing_still(8));
+  std::ofstream(folder_.path() / "out") << "a file where the folder should be";
+  press("More");
+  press("Save");
+  const Status finished = app_->finish();
+  ASSERT_FALSE(finished.has_value());
+  EXPECT_EQ(finished.error().code, ErrorCode::kIo);
 }
 
 }  // namespace

@@ -41,10 +41,11 @@ std::vector<Step> frames_every(milliseconds delay, int count) {
 struct Life {
   Mailbox<FramePtr> frames;
   CommandQueue<SensorNote> notes;
+  sensor::FrameRing ring;
   std::unique_ptr<SensorThread> thread;
   Life(std::vector<Step> steps, bool recording)
       : thread(std::make_unique<SensorThread>(
-            std::make_unique<ScriptedSource>(std::move(steps), recording), frames, notes)) {}
+            std::make_unique<ScriptedSource>(std::move(steps), recording), frames, notes, ring)) {}
 };
 
 TEST(SensorThread, HandsOnTheNewestFrameAndSaysWhenTheRecordingIsOver) {
@@ -55,6 +56,7 @@ TEST(SensorThread, HandsOnTheNewestFrameAndSaysWhenTheRecordingIsOver) {
   const auto frame = life.frames.try_take();
   ASSERT_TRUE(frame.has_value());
   EXPECT_EQ((*frame)->index, 49);
+  EXPECT_EQ(life.ring.frames().size(), 50U) << "what vision did not take as well";
 }
 
 TEST(SensorThread, ReportsUnpluggingAndReplugging) {

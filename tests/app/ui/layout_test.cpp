@@ -33,12 +33,31 @@ TEST(Layout, EveryTargetIsAThumbWideOnEveryScreen) {
     SCOPED_TRACE(size.name);
     const double dp = pixels_per_dp(size.dots_per_inch);
     const Layout layout = lay_out(size.width, size.height, dp);
-    for (const Rect& action : layout.actions) {
+    std::vector<Rect> all(std::begin(layout.actions), std::end(layout.actions));
+    all.insert(all.end(), std::begin(layout.extras), std::end(layout.extras));
+    for (const Rect& action : all) {
       EXPECT_GE(action.width, kTargetDp * dp - 0.5);
       EXPECT_GE(action.height, kTargetDp * dp - 0.5);
     }
     // 12 mm of glass.
     EXPECT_GE(layout.actions[0].height / size.dots_per_inch * 25.4, 11.9);
+  }
+}
+
+TEST(Layout, ExtrasStandBesideTheActionsOverTheSteel) {
+  for (const ScreenSize& size : sizes()) {
+    SCOPED_TRACE(size.name);
+    const Layout layout = lay_out(size.width, size.height, pixels_per_dp(size.dots_per_inch));
+    std::vector<Rect> all(std::begin(layout.actions), std::end(layout.actions));
+    all.insert(all.end(), std::begin(layout.extras), std::end(layout.extras));
+    all.insert(all.end(), {layout.strip, layout.card});
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = i + 1; j < all.size(); ++j)
+        EXPECT_FALSE(overlap(all[i], all[j])) << i << " and " << j;
+    for (const Rect& extra : layout.extras) {
+      EXPECT_GE(extra.x, 0);
+      EXPECT_FALSE(overlap(extra, layout.still));
+    }
   }
 }
 
