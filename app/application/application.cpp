@@ -30,6 +30,7 @@ Application::Application(ApplicationInputs inputs)
       landmarks_(propose_landmarks(in_.design->model, *in_.design->surface, kLandmarks)),
       picks_(landmarks_.landmarks,
              [this](std::span<const PointPair> pairs) { return landmark_evidence(pairs); }),
+      box_(in_.camera),
       gestures_(tap_slop_px(in_.dots_per_inch)),
       finder_(in_.design, in_.camera, in_.noise) {}
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/application/align_session.h"
+#include "app/application/box_session.h"
 #include "app/application/find_session.h"
 #include "app/application/find_worker.h"
 #include "app/application/job_thread.h"
@@ -90,6 +91,7 @@ class Application {
   void take_notes();
   [[nodiscard]] const VisionStatePtr& shown() const {
     if (find_.shown()) return find_.shown();
+    if (screen_ == ui::Screen::kAlign) return box_.seen_through(held_ ? held_ : seen_);
     if (held_) return held_;
     return frozen_ ? frozen_ : seen_;
   }
@@ -118,6 +120,11 @@ class Application {
   void take_saved();
   void notice(std::string text);
   void fail(const Error& error);
+  // application_box.cpp
+  void press_box();
+  void tap_box(const ui::Gesture& gesture, double slop_px);
+  [[nodiscard]] bool fill_box(ui::ScreenState& out) const;
+  [[nodiscard]] std::string box_in_words() const;
   // application_find.cpp
   [[nodiscard]] bool can_find() const;
   void start_find();
@@ -152,6 +159,7 @@ class Application {
   LandmarkProposal landmarks_;
   AlignSession picks_;
   FindSession find_;
+  BoxSession box_;
 
   // What is shown.
   VisionStatePtr state_;         // the newest

@@ -61,6 +61,7 @@ void Application::handle(const ui::Command& command) {
     case ui::Action::kBack:
       stop_find();
       picks_.clear();
+      box_.clear();
       menu_open_ = false;
       release_picture();
       screen_ = ui::Screen::kWork;
@@ -90,6 +91,9 @@ void Application::handle(const ui::Command& command) {
     case ui::Action::kLightPart:
       lit_part_ = lit_part_ == command.part ? -1 : command.part;
       break;
+    case ui::Action::kBox:
+      press_box();
+      break;
     case ui::Action::kFreeze:
       frozen_ = frozen_ || !shows_pose() ? nullptr : shown();
       break;
@@ -112,6 +116,7 @@ void Application::handle(const ui::Command& command) {
       alignments_asked_ = 0;
       state_ = seen_ = held_ = moved_search_ = nullptr;
       no_search_before_s_ = 0;
+      box_.clear();
       start_align();
       break;
     }
@@ -154,6 +159,10 @@ void Application::tap(const ui::Gesture& gesture) {
   if (awaiting_alignment_ || !design_eye_.is_started() || !scan_eye_.is_started()) return;
   const auto is_on = [&](const ui::Rect& view) { return view.contains(gesture.x, gesture.y); };
   if (!is_on(layout_.design_view) && !is_on(layout_.scan_view)) return;
+  if (box_.is_asking()) {
+    tap_box(gesture, slop);
+    return;
+  }
   // Who taps does not wait for the search any more; its picture is the one that was tapped.
   const bool was_searching = find_.is_running();
   finder_.cancel();
@@ -184,8 +193,9 @@ void Application::pick(const ui::Gesture& gesture, double slop) {
     picks_.refuse_scan_point();
     return;
   }
+  const Eigen::Vector3d point = shown()->scan.points[*index].cast<double>();
   hold_picture();
-  if (!picks_.pick_scan_point(held_->scan.points[*index].cast<double>())) {
+  if (!picks_.pick_scan_point(point)) {
     notice("Tap a point of the drawing first.");
   }
 }
@@ -237,6 +247,7 @@ void Application::leave_align() {
   aligned_by_ = asked_by_;
   screen_ = ui::Screen::kWork;
   menu_open_ = false;
+  box_.clear();  // from now on the region of interest follows the design
   picks_.clear();
   held_.reset();
   detached_ = false;

@@ -23,7 +23,7 @@ void Application::start_find() {
   start_align();
   hold_picture();
   find_.start();
-  finder_.start(held_);
+  finder_.start(shown());  // what lies outside a box is not looked at
 }
 
 // Whatever the search is at; the picture goes on.

@@ -118,6 +118,8 @@ std::vector<render::Marker> Application::scan_markers() const {
     out.push_back(
         {pair.scan.cast<float>(), render::Marker::Kind::kScan, std::to_string(out.size() + 1)});
   }
+  if (const auto corner = box_.first())
+    out.push_back({*corner, render::Marker::Kind::kProposed, "corner"});
   return out;
 }
 
@@ -181,6 +183,7 @@ void Application::fill_align(ui::ScreenState& out) const {
     out.chips.push_back(chip);
   }
   const bool search_speaks = fill_find(out);
+  const bool box_speaks = fill_box(out);
   out.can_skip = picks_.can_skip() && !awaiting_alignment_ && !out.finding;
   out.can_undo = picks_.can_undo() && !awaiting_alignment_;
   out.can_finish =
@@ -189,6 +192,8 @@ void Application::fill_align(ui::ScreenState& out) const {
   const auto lit = picks_.lit();
   if (awaiting_alignment_) {
     out.hint = "Fitting the drawing to the steel.";
+  } else if (box_speaks) {
+    // Said by fill_box().
   } else if (search_speaks) {
     // Said by fill_find().
   } else if (pairs.size() >= kChips && result.status != PairsStatus::kOk) {
@@ -277,6 +282,7 @@ std::string Application::changed_targets() {
   json["tracking"] = !state_          ? "none"
                      : has_pictures() ? name(state_->quality)
                                       : name(TrackQuality::kLost);
+  if (const std::string box = box_in_words(); !box.empty()) json["box"] = box;
   if (frozen_) json["frozen_frame"] = frozen_->frame->index;
   json["picks"] = picks_.pairs().size();
   if (still_of_) {

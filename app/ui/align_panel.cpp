@@ -118,6 +118,9 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
   if (state.can_go_back && big_button(painter, "Back", layout.actions[2])) {
     commands.push_back({Action::kBack});
   }
+  if (!state.can_go_back && big_button(painter, "Box", layout.actions[2], state.box_word)) {
+    commands.push_back({Action::kBox});
+  }
   if (big_button(painter, "Shot", layout.actions[3])) commands.push_back({Action::kShot});
   if (state.can_replay) {
     if (big_button(painter, "Replay", layout.actions[4])) commands.push_back({Action::kReplay});
@@ -127,6 +130,9 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
     commands.push_back({Action::kMenu});
   if (state.menu_open && big_button(painter, "Save", layout.extras[0], "last 10 s"))
     commands.push_back({Action::kSaveLast});
+  if (state.menu_open && state.can_go_back &&
+      big_button(painter, "Box", layout.extras[1], state.box_word))
+    commands.push_back({Action::kBox});
 }
 
 }  // namespace spool::ui

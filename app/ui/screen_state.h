@@ -53,6 +53,7 @@ struct ScreenState {
   bool can_undo = false;
   bool can_finish = false;   // three picks that make a pose
   bool can_go_back = false;  // an alignment stands already
+  std::string box_word;      // of the acquisition box: what Box does now; empty: set one
 
   // Find, on both screens
   bool can_find = false;
@@ -96,6 +97,7 @@ enum class Action {
   kFreeze,    // or go on with the live picture
   kMenu,      // More: open or close it
   kSaveLast,  // the last seconds of the sensor
+  kBox,       // ask for an acquisition box, or drop it
   kSkip,
   kUndo,
   kFinish,

@@ -10,6 +10,7 @@
 
 #include "vision/core/stage_clock.h"
 #include "vision/inspect/facing.h"
+#include "vision/live/acquisition_box.h"
 #include "vision/live/coverage.h"
 #include "vision/live/dropout_watch.h"
 #include "vision/scan/back_projection.h"
@@ -87,6 +88,7 @@ struct FrameProcessor::Impl {
   Camera small;  // of the thinned pictures
   NoiseModel noise;
   FrameProcessorOptions options;
+  Eigen::AlignedBox3f region;  // design frame; no point outside is near enough to be measured
   Tracker tracker;
   LiveAlignment alignment;
   Coverage coverage;
@@ -105,6 +107,7 @@ struct FrameProcessor::Impl {
         small(every_nth_pixel(by, so.stride_px)),
         noise(with),
         options(so),
+        region(box_about(design->model, so.max_deviation_m)),
         tracker(so.tracker),
         alignment(design, by, small, with, so.alignment),
         coverage(design, by, small, with) {}
@@ -270,7 +273,10 @@ void FrameProcessor::Impl::hold_by_spool(const PointCloud& cloud, VisionState& s
 
 void FrameProcessor::Impl::measure(VisionState& state) const {
   state.scan_design = moved(state.scan, state.T_design_camera);
-  state.classes.assign(state.scan_design.size(), PointClass::kObject);
+  state.classes.resize(state.scan_design.size());
+  for (std::size_t i = 0; i < state.classes.size(); ++i)
+    state.classes[i] =
+        region.contains(state.scan_design.points[i]) ? PointClass::kObject : PointClass::kClutter;
   state.deviations = measure_deviations(state.scan_design, state.classes, *design->surface,
                                         static_cast<float>(options.max_deviation_m));
   // What a single point may be off by at random is not looked at: three standard deviations.

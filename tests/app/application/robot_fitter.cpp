@@ -55,6 +55,10 @@ bool in_sight(const PreparedDesign& design, const Eigen::Vector3d& point,
 
 }  // namespace
 
+std::optional<Spot> spot_in(const nlohmann::json& view, const Eigen::Vector3d& p_world) {
+  return parse(view).spot(p_world);
+}
+
 std::vector<SpotPair> choose_three(const nlohmann::json& screen, const PreparedDesign& design,
                                    const Camera& camera, const DepthFrame& frame,
                                    const Pose& T_design_camera) {

@@ -31,6 +31,11 @@ struct SpotPair {
                                                  const DepthFrame& frame,
                                                  const Pose& T_design_camera);
 
+// Where a point of a picture's world stands on the screen: of "scan_view" (camera frame) or
+// "design_view". Nothing where it is out of the picture.
+[[nodiscard]] std::optional<Spot> spot_in(const nlohmann::json& view,
+                                          const Eigen::Vector3d& p_world);
+
 // The middle of the target of that name; nothing where it is not on the screen.
 [[nodiscard]] std::optional<Spot> target(const nlohmann::json& screen, const std::string& name);
 
