@@ -155,6 +155,8 @@ void FrameProcessor::Impl::follow_camera(const PointCloud& cloud, VisionState& s
   state.map = map;
   state.hint = tracked.reason;
   state.camera_covariance = tracked.covariance;
+  state.map_cells = tracker.map().size();
+  for (const auto& [stage, seconds] : tracked.timing_s) state.timing_s["follow/" + stage] = seconds;
   scene_holds = tracked.quality != PoseQuality::kLost && tracked.weak_directions.empty();
   if (had_map || tracker.map().empty() || !alignment.is_set()) return;
   // The scene was too plain until now, and the spool alone was followed.
@@ -330,6 +332,7 @@ VisionStatePtr FrameProcessor::align(const VisionState& held, const Pose& T_desi
   state->T_map_camera = held.T_map_camera;
   state->camera_covariance = held.camera_covariance;
   state->map = held.map;
+  state->map_cells = held.map_cells;
   self.alignment.forget();
   self.alignment_hint.clear();
   StageClock clock(state->timing_s);

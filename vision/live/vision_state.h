@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -46,6 +47,7 @@ struct VisionState {
   Pose T_map_camera = Pose::Identity();
   Matrix6d camera_covariance = Matrix6d::Identity();  // of it: TrackedPose
   std::uint64_t map = 0;
+  std::size_t map_cells = 0;  // that it holds
   // Design coordinates without the design's origin. Of a lost frame: the last pose that was
   // believed.
   Pose T_design_camera = Pose::Identity();
@@ -60,6 +62,7 @@ struct VisionState {
   double rms_m = 0;          // of the tracked correspondences: scan quality, never a verdict
   double agreement = 0;      // of the surface that should be seen, the share that is (0 to 1)
   double point_noise_m = 0;  // the sensor's own standard deviation at the spool's distance
+  // Seconds of each stage; of those of following the camera (`follow`) also its own: `follow/fit`.
   std::map<std::string, double> timing_s;
 
   [[nodiscard]] bool is_tracked() const {
