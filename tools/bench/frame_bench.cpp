@@ -1,4 +1,5 @@
-// spoolsight-frame-bench: how long one live frame takes, depth in to pose and deviations out.
+// spoolsight-frame-bench: how long one live frame takes, depth in to pose and deviations out, stage
+// by stage.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
@@ -7,9 +8,11 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -145,23 +148,40 @@ Result<Run> walk(const std::shared_ptr<const PreparedDesign>& design, const Sequ
   return run;
 }
 
-void print_times(const char* what, const std::vector<double>& seconds) {
-  std::printf("  %-10s median %6.2f ms  p99 %6.2f ms  worst %6.2f ms\n", what,
+// The stages in the order in which a frame goes through them; what is new comes last.
+std::vector<std::string> in_order(const std::map<std::string, std::vector<double>>& stage_s) {
+  constexpr const char* kOrder[] = {"thin",  "follow",    "follow/fit", "follow/fuse",
+                                    "place", "deviation", "refine"};
+  std::vector<std::string> names(std::begin(kOrder), std::end(kOrder));
+  std::erase_if(names, [&](const std::string& stage) { return !stage_s.contains(stage); });
+  for (const auto& [stage, seconds] : stage_s)
+    if (std::find(names.begin(), names.end(), stage) == names.end()) names.push_back(stage);
+  return names;
+}
+
+void print_row(const std::string& what, const std::vector<double>& seconds) {
+  const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  std::printf("| %-11s | %6.2f | %6.2f | %6.2f | %6.2f | %6zu |\n", what.c_str(),
+              1e3 * sum / static_cast<double>(std::max<std::size_t>(seconds.size(), 1)),
               1e3 * percentile(seconds, 0.5), 1e3 * percentile(seconds, 0.99),
-              1e3 * percentile(seconds, 1));
+              1e3 * percentile(seconds, 1), seconds.size());
 }
 
 void print(const Run& run, const Camera& camera) {
-  std::printf("quietest run (least p99), %zu frames of %dx%d, %zu points thinned\n",
+  std::printf("quietest run (least p99), %zu frames of %dx%d, %zu points thinned\n\n",
               run.wall_s.size(), camera.width, camera.height, run.points);
-  print_times("wall", run.wall_s);
-  print_times("cpu", run.cpu_s);
-  for (const auto& [stage, seconds] : run.stage_s) print_times(stage.c_str(), seconds);
+  std::printf(
+      "| ms          |   mean | median |    p99 |  worst | frames |\n"
+      "|---|---|---|---|---|---|\n");
+  print_row("wall", run.wall_s);
+  print_row("processor", run.cpu_s);
+  for (const std::string& stage : in_order(run.stage_s)) print_row(stage, run.stage_s.at(stage));
+  std::printf("\n");
   for (const auto& [quality, frames] : run.qualities)
-    std::printf("  %s: %d frames\n", quality.c_str(), frames);
+    std::printf("%s: %d frames\n", quality.c_str(), frames);
   constexpr double kDegree = std::numbers::pi / 180;
   std::printf(
-      "  camera in the datum's frame, off the truth: median %.2f mm %.3f deg, p95 %.2f mm %.3f "
+      "camera in the datum's frame, off the truth: median %.2f mm %.3f deg, p95 %.2f mm %.3f "
       "deg, worst %.2f mm %.3f deg\n",
       1e3 * percentile(run.off_m, 0.5), percentile(run.off_rad, 0.5) / kDegree,
       1e3 * percentile(run.off_m, 0.95), percentile(run.off_rad, 0.95) / kDegree,
