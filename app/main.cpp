@@ -69,6 +69,7 @@ Result<ApplicationInputs> prepare(const Flags& flags) {
   in.design = *design;
   in.source_text = flags.source;
   in.out = flags.out;
+  in.keep_poses = !flags.track.empty();
   const Result<Size> size = parse_size(flags.size);
   if (!size) return size.error();
   in.width = size->width;

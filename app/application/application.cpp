@@ -104,7 +104,8 @@ void Application::take_notes() {
 
 std::optional<double> Application::advance() {
   VisionStatePtr next = feed_->poll();
-  poses_.add(feed_->take_track());
+  const std::vector<TrackRow> rows = feed_->take_track();
+  if (in_.keep_poses) poses_.add(rows);
   take_notes();
   if (!next) return std::nullopt;
   const double before = state_ ? state_->frame->seconds : next->frame->seconds;
