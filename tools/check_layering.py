@@ -47,7 +47,7 @@ ONLY_IN = {
     r"X11/": ["app"],
     r"png\.h": ["render", "app/sensor", "tests"],
     r"open3d/": ["tools/compare/open3d_cloud.h", "tools/compare/open3d_icp.cpp",
-                 "tools/compare/open3d_find.cpp"],
+                 "tools/compare/open3d_find.cpp", "tools/compare/open3d_track.cpp"],
     r"pcl/": ["tools/compare/pcl_cloud.h", "tools/compare/pcl_icp.cpp", "tools/compare/pcl_find.cpp"],
 }
 # Within a folder that may use a library, these files alone include its headers.

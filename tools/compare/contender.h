@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -56,10 +57,28 @@ struct FindContender {
   std::function<std::optional<Pose>(const FindCase&)> find;
 };
 
+// Follows a moving camera, frame after frame; the first one stands at the identity.
+class Follower {
+ public:
+  virtual ~Follower() = default;
+  // The next frame, organised, with normals (zero where there is none), NaN where nothing was
+  // measured; it stays until the next. Not timed: into the library's own containers.
+  virtual void take(const PointCloud& frame, double seconds) = 0;
+  [[nodiscard]] virtual Pose follow() = 0;  // T_first_camera of that frame
+  virtual void keep() {}                    // what the next frames are followed by; timed apart
+};
+
+struct TrackContender {
+  std::string name;
+  std::unique_ptr<Follower> follower;
+};
+
 // Each defined where its library was there when this was built.
 [[nodiscard]] std::vector<IcpContender> open3d_icp();
 [[nodiscard]] std::vector<IcpContender> pcl_icp();
 [[nodiscard]] std::vector<FindContender> open3d_find();
 [[nodiscard]] std::vector<FindContender> pcl_find();
+// With so many points of each frame.
+[[nodiscard]] std::vector<TrackContender> open3d_track(std::size_t points);
 
 }  // namespace spool::compare
