@@ -49,8 +49,8 @@ struct Thing {
 };
 
 std::shared_ptr<const DepthFrame> cast_frame(const std::vector<Thing>& things, const Pose& T,
-                                             std::int64_t index, double noise_m) {
-  const Camera camera = small_camera();
+                                             std::int64_t index, double noise_m,
+                                             const Camera& camera = small_camera()) {
   auto frame = std::make_shared<DepthFrame>();
   frame->index = index;
   frame->seconds = static_cast<double>(index) / 30.0;
@@ -117,6 +117,17 @@ Camera small_camera() {
   return camera;
 }
 
+Camera larger_camera(double times) {
+  Camera camera = small_camera();
+  camera.width = static_cast<int>(std::lround(times * camera.width));
+  camera.height = static_cast<int>(std::lround(times * camera.height));
+  camera.fx *= times;
+  camera.fy *= times;
+  camera.cx = 0.5 * (camera.width - 1);
+  camera.cy = 0.5 * (camera.height - 1);
+  return camera;
+}
+
 Pose T_design_camera(double turn_rad, double shift_m) {
   const Eigen::Vector3d centre(0.2, 0.1, 0.05);
   const double azimuth = -1.0 + turn_rad;
@@ -140,8 +151,8 @@ std::shared_ptr<const DepthFrame> render_frame(const PreparedDesign& design,
 
 std::shared_ptr<const DepthFrame> render_in_workshop(const PreparedDesign* design,
                                                      const Pose& T_shop_design,
-                                                     const Pose& T_shop_camera,
-                                                     std::int64_t index) {
+                                                     const Pose& T_shop_camera, std::int64_t index,
+                                                     const Camera& camera) {
   static const auto furniture = [] {
     DesignModel model;
     model.path = "furniture";
@@ -154,7 +165,7 @@ std::shared_ptr<const DepthFrame> render_in_workshop(const PreparedDesign* desig
   }();
   std::vector<Thing> things{{furniture->surface.get()}};
   if (design != nullptr) things.push_back({design->surface.get(), T_shop_design});
-  return cast_frame(things, T_shop_camera, index, 0.0005);
+  return cast_frame(things, T_shop_camera, index, 0.0005, camera);
 }
 
 std::shared_ptr<const DepthFrame> empty_frame(const Pose& T_design_camera, std::int64_t index) {

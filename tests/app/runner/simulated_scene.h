@@ -26,6 +26,8 @@ namespace spool::test {
 
 // 160 x 120 px with the field of view of a PrimeSense.
 [[nodiscard]] Camera small_camera();
+// The same view with so many times as many pixels across and down.
+[[nodiscard]] Camera larger_camera(double times);
 // Looks down on the bracket from about 0.85 m; `turn_rad` walks it round the vertical, `shift_m`
 // aside.
 [[nodiscard]] Pose T_design_camera(double turn_rad = 0, double shift_m = 0);
@@ -38,10 +40,9 @@ namespace spool::test {
                                                              double noise_m = 0.0005);
 // The same in a workshop whose things stand still: floor and boxes round the design, which lies at
 // T_shop_design in it (identity: where it lies in the other pictures); null: it is not there.
-[[nodiscard]] std::shared_ptr<const DepthFrame> render_in_workshop(const PreparedDesign* design,
-                                                                   const Pose& T_shop_design,
-                                                                   const Pose& T_shop_camera,
-                                                                   std::int64_t index);
+[[nodiscard]] std::shared_ptr<const DepthFrame> render_in_workshop(
+    const PreparedDesign* design, const Pose& T_shop_design, const Pose& T_shop_camera,
+    std::int64_t index, const Camera& camera = small_camera());
 // The floor alone.
 [[nodiscard]] std::shared_ptr<const DepthFrame> empty_frame(const Pose& T_design_camera,
                                                             std::int64_t index);
