@@ -13,9 +13,7 @@ namespace spool {
 
 namespace {
 constexpr std::size_t kGrain = 4096;
-// Cosine to the line of sight under which a depth sensor gives next to nothing (DOMAIN 6: 80
-// degrees).
-constexpr float kGrazing = 0.17F;
+constexpr auto kGrazing = static_cast<float>(kFacingCosine);
 }  // namespace
 
 std::size_t drop_turned_away(const CloudView& scan_design, const Eigen::Vector3d& eye,

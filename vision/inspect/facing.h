@@ -14,6 +14,13 @@
 
 namespace spool {
 
+// Nearer than so many standard deviations of a point to the surface, noise may have put a reading
+// round an edge.
+inline constexpr double kFacingSigmas = 3.0;
+// Cosine to the line of sight under which a depth sensor gives next to nothing (DOMAIN 6: 80
+// degrees).
+inline constexpr double kFacingCosine = 0.17;
+
 // A floor close under a pipe is nearest to the pipe's underside, which a sensor above cannot see:
 // such readings are of something else and become clutter (class and deviation). Only readings
 // further than `beyond_m` from the surface are looked at: nearer ones may lie round an edge by

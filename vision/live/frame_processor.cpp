@@ -281,9 +281,10 @@ void FrameProcessor::Impl::measure(VisionState& state) const {
         region.contains(state.scan_design.points[i]) ? PointClass::kObject : PointClass::kClutter;
   state.deviations = measure_deviations(state.scan_design, state.classes, *design->surface,
                                         static_cast<float>(options.max_deviation_m));
-  // What a single point may be off by at random is not looked at: three standard deviations.
+  // What a single point may be off by at random is not looked at.
   drop_turned_away(state.scan_design, state.T_design_camera.translation(), *design->surface,
-                   static_cast<float>(3.0 * state.point_noise_m), state.classes, state.deviations);
+                   static_cast<float>(kFacingSigmas * state.point_noise_m), state.classes,
+                   state.deviations);
   state.rms_m = rms(state.deviations, state.classes);
 }
 
