@@ -27,6 +27,24 @@ Group group_of(const Eigen::Vector3f& point, float deviation_m, std::uint8_t poi
 
 }  // namespace
 
+void set_point_look(const ShaderProgram& program, const View& view, const CloudStyle& style,
+                    float largest_px) {
+  program.set("u_clip_from_design", clip_from_eye(view) * eye_from_design(view));
+  program.set("u_size_px", style.size_px);
+  program.set("u_spacing_px_m", static_cast<float>(style.spacing_m * view.camera.fx));
+  program.set("u_largest_px", largest_px);
+  program.set("u_inside_stops", inside_stops());
+  program.set("u_outside_stops", outside_stops());
+  program.set("u_neutral_m", static_cast<float>(style.neutral_m));
+  program.set("u_range_m", static_cast<float>(style.range_m));
+}
+
+float largest_point_px() {
+  std::array<GLfloat, 2> sizes{1, 1};
+  glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, sizes.data());
+  return sizes[1];
+}
+
 Result<CloudPass> CloudPass::create() {
   auto points = ShaderProgram::create("cloud");
   if (!points) return points.error();
@@ -44,9 +62,7 @@ Result<CloudPass> CloudPass::create() {
   glBindBuffer(GL_ARRAY_BUFFER, pass.buffer_.id());
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector4f), nullptr);
-  std::array<GLfloat, 2> sizes{1, 1};
-  glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, sizes.data());
-  pass.largest_px_ = sizes[1];
+  pass.largest_px_ = largest_point_px();
   return pass;
 }
 
@@ -82,19 +98,11 @@ void CloudPass::set_points(std::span<const Eigen::Vector3f> points_design,
 void CloudPass::draw(const Offscreen& target, const View& view, const CloudStyle& style) const {
   target.bind();
   set_draw_state({.depth_test = DepthTest::kNearer, .depth_write = true});
-  const glm::mat4 clip_from_design = clip_from_eye(view) * eye_from_design(view);
   glBindVertexArray(attributes_.id());
   // Small squares are told from discs by nobody, and spare the driver a test of every pixel.
   const ShaderProgram& points = style.spacing_m > 0 ? discs_ : points_;
   points.use();
-  points.set("u_clip_from_design", clip_from_design);
-  points.set("u_size_px", style.size_px);
-  points.set("u_spacing_px_m", static_cast<float>(style.spacing_m * view.camera.fx));
-  points.set("u_largest_px", largest_px_);
-  points.set("u_inside_stops", inside_stops());
-  points.set("u_outside_stops", outside_stops());
-  points.set("u_neutral_m", static_cast<float>(style.neutral_m));
-  points.set("u_range_m", static_cast<float>(style.range_m));
+  set_point_look(points, view, style, largest_px_);
   GLint first = 0;
   const auto draw_next = [&first](GLsizei count, bool shown) {
     if (shown && count > 0) glDrawArrays(GL_POINTS, first, count);
@@ -109,7 +117,7 @@ void CloudPass::draw(const Offscreen& target, const View& view, const CloudStyle
   draw_next(count_[kObject], true);
   if (count_[kContradicting] > 0) {
     contradicting_.use();
-    contradicting_.set("u_clip_from_design", clip_from_design);
+    contradicting_.set("u_clip_from_design", clip_from_eye(view) * eye_from_design(view));
     contradicting_.set("u_size_px", std::min(std::max(1.5F * style.size_px, 5.0F), largest_px_));
     contradicting_.set("u_colour", contradicting_colour());
     contradicting_.set("u_hatch", Eigen::Vector3f(0.20F, 0.0F, 0.17F));

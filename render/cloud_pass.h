@@ -25,6 +25,12 @@ struct CloudStyle {
   bool show_clutter = true;
 };
 
+// How points of any pass look: sizes, and the colours of deviations (deviation_colour.glsl), to a
+// program in use. `largest_px`: what the driver draws.
+void set_point_look(const ShaderProgram& program, const View& view, const CloudStyle& style,
+                    float largest_px);
+[[nodiscard]] float largest_point_px();
+
 class CloudPass {
  public:
   [[nodiscard]] static Result<CloudPass> create();

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/egl_context.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdio>
@@ -142,6 +143,14 @@ std::string gl_description() {
     return std::string(found != nullptr ? found : "unknown");
   };
   return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+bool draws_in_software() {
+  const std::string renderer = gl_description();
+  constexpr std::array<std::string_view, 4> kNames{"llvmpipe", "softpipe", "SWR", "SwiftShader"};
+  return std::any_of(kNames.begin(), kNames.end(), [&](std::string_view name) {
+    return renderer.find(name) != std::string::npos;
+  });
 }
 
 void finish_drawing() { glFinish(); }

@@ -28,6 +28,9 @@ class EglContext {
 // GL_RENDERER and GL_VERSION of the current context, for --version and reports.
 [[nodiscard]] std::string gl_description();
 
+// True where the current context's driver draws without a graphics card (Mesa's, SwiftShader).
+[[nodiscard]] bool draws_in_software();
+
 // Waits until everything asked for is drawn: for measuring only.
 void finish_drawing();
 

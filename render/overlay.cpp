@@ -10,6 +10,7 @@
 #include "render/background_pass.h"
 #include "render/canvas_pass.h"
 #include "render/cloud_pass.h"
+#include "render/depth_cloud_pass.h"
 #include "render/depth_shade_pass.h"
 #include "render/edge_pass.h"
 #include "render/gl_status.h"
@@ -23,6 +24,9 @@ namespace spool::render {
 struct OverlayRenderer::Impl {
   BackgroundPass background;
   CloudPass cloud;
+  DepthCloudPass depth_cloud;
+  bool shows_depth = false;  // the depth image's points, else the cloud's
+  bool depth_has_clutter = false;
   DepthShadePass depth_shade;
   MeshPass mesh;
   PatchPass patches;
@@ -30,15 +34,24 @@ struct OverlayRenderer::Impl {
   CanvasPass canvas;
   std::vector<Marker> markers;
 
+  void draw_points(const Offscreen& target, const View& view, const CloudStyle& style) const {
+    if (shows_depth)
+      depth_cloud.draw(target, view, style);
+    else
+      cloud.draw(target, view, style);
+  }
+
   Status draw_legend(const Offscreen& target, const OverlayStyle& style) {
     const auto font = canvas.font(legend_text_px(style.scale));
     if (!font) return font.error();
-    const LegendContent content{.range_m = style.colour_range_m,
-                                .neutral_m = style.neutral_m,
-                                .tolerance_m = style.tolerance_m,
-                                .units = style.units,
-                                .has_clutter = style.show_clutter && cloud.has_clutter(),
-                                .has_contradicting = cloud.has_contradicting()};
+    const LegendContent content{
+        .range_m = style.colour_range_m,
+        .neutral_m = style.neutral_m,
+        .tolerance_m = style.tolerance_m,
+        .units = style.units,
+        .has_clutter =
+            style.show_clutter && (shows_depth ? depth_has_clutter : cloud.has_clutter()),
+        .has_contradicting = !shows_depth && cloud.has_contradicting()};
     const int free_height =
         target.height() - static_cast<int>(style.inset_top_px + style.inset_bottom_px);
     return canvas.draw(target, render::draw_legend(content, target.width(), free_height,
@@ -67,6 +80,7 @@ Result<OverlayRenderer> OverlayRenderer::create() {
   Status status;
   make(impl->background, status);
   make(impl->cloud, status);
+  make(impl->depth_cloud, status);
   make(impl->depth_shade, status);
   make(impl->mesh, status);
   make(impl->patches, status);
@@ -88,6 +102,21 @@ void OverlayRenderer::set_points(std::span<const Eigen::Vector3f> points_design,
                                  std::span<const float> deviation_m,
                                  std::span<const std::uint8_t> classes) {
   impl_->cloud.set_points(points_design, deviation_m, classes);
+  impl_->shows_depth = false;
+}
+
+Status OverlayRenderer::set_distances(const DistanceVolume& volume) {
+  Status status = impl_->depth_cloud.set_distances(volume);
+  if (!status) impl_->shows_depth = false;
+  return status;
+}
+
+bool OverlayRenderer::has_distances() const { return impl_->depth_cloud.has_distances(); }
+
+void OverlayRenderer::set_depth(const DepthPoints& points, bool has_clutter) {
+  impl_->depth_cloud.set_depth(points);
+  impl_->shows_depth = true;
+  impl_->depth_has_clutter = has_clutter;
 }
 
 void OverlayRenderer::set_patches(std::span<const PatchMark> patches) {
@@ -104,12 +133,12 @@ Status OverlayRenderer::draw(const Offscreen& target, const View& view, const Ov
   const auto scale = static_cast<float>(style.scale);
   impl_->background.draw(target, style.show_background);
   if (style.show_cloud) {
-    impl_->cloud.draw(target, view,
-                      {.neutral_m = style.neutral_m,
-                       .range_m = style.colour_range_m,
-                       .size_px = style.point_size_px,
-                       .spacing_m = style.point_spacing_m,
-                       .show_clutter = style.show_clutter});
+    impl_->draw_points(target, view,
+                       {.neutral_m = style.neutral_m,
+                        .range_m = style.colour_range_m,
+                        .size_px = style.point_size_px,
+                        .spacing_m = style.point_spacing_m,
+                        .show_clutter = style.show_clutter});
     if (style.shade_cloud) {
       impl_->depth_shade.draw(target, view, style.point_size_px, style.point_spacing_m);
     }

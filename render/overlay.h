@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "render/depth_cloud_pass.h"
 #include "render/offscreen.h"
 #include "render/view.h"
 #include "vision/core/result.h"
@@ -73,6 +74,13 @@ class OverlayRenderer {
   void set_points(std::span<const Eigen::Vector3f> points_design,
                   std::span<const float> deviation_m, std::span<const std::uint8_t> classes);
   void set_patches(std::span<const PatchMark> patches);
+  // The design's distances (frame and units as above), with which points can be coloured here;
+  // uploaded once, not needed afterwards. kNoDevice where the driver has no room for them.
+  [[nodiscard]] Status set_distances(const DistanceVolume& volume);
+  [[nodiscard]] bool has_distances() const;
+  // The points are a depth image's from now on, until set_points(): each pixel is placed and
+  // coloured by the graphics card. After set_distances(). `has_clutter`: as the legend is to say.
+  void set_depth(const DepthPoints& points, bool has_clutter);
   void set_markers(std::span<const Marker> markers);
   // Draws into the target; occlusion of the design by the points is by their depth.
   [[nodiscard]] Status draw(const Offscreen& target, const View& view, const OverlayStyle& style);

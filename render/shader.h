@@ -5,6 +5,7 @@
 
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include <Eigen/Core>
 #include <glm/mat4x4.hpp>
@@ -18,6 +19,7 @@ namespace spool::render {
 class ShaderProgram {
  public:
   ShaderProgram() = default;
+  explicit ShaderProgram(ProgramHandle program) : program_(std::move(program)) {}
   // Compiles the embedded "NAME.vert" and "NAME.frag", or two of different names; kNoDevice with
   // the file's name and the driver's own words where it refuses them.
   [[nodiscard]] static Result<ShaderProgram> create(std::string_view name) {
