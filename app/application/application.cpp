@@ -36,6 +36,7 @@ Application::Application(ApplicationInputs inputs)
 
 Application::~Application() {
   finder_.cancel();
+  stop_distances_.request_stop();
   jobs_.wait();
   saving_.wait();
   feed_.reset();
@@ -57,6 +58,7 @@ Result<std::unique_ptr<Application>> Application::create(ApplicationInputs input
   if (!feed) return feed.error();
   app->feed_ = std::move(*feed);
   if (!in.source_remark.empty()) app->notice(in.source_remark);
+  app->start_distances();
   return app;
 }
 
@@ -151,6 +153,7 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
     jobs_.wait();
     saving_.wait();
   }
+  take_distances();
   take_checks();
   take_saved();
   take_find();
@@ -208,7 +211,7 @@ Status Application::update_still() {
 // How a state's points are drawn. A point covers what its pixels see: in the camera's own picture
 // the cloud has no gaps, and from nearer by the spacing at the middle of what was measured.
 void Application::set_look(ScenePicture& scene, const VisionState& state) const {
-  const double pixel = state.stride_px / in_.camera.fx;  // as a slope
+  const double pixel = picture_->stride_px(state) / in_.camera.fx;  // as a slope
   scene.point_px = std::clamp(scene.view.camera.fx * pixel + 0.5, kLeastPointPx, kMostPointPx);
   // To a tenth of a millimetre, as the legend writes it.
   scene.neutral_m = std::max(kNeutralLeast, 1e-4 * std::round(1e4 * state.point_noise_m));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@
 #include "app/ui/gestures.h"
 #include "app/ui/input_queue.h"
 #include "app/ui/panels.h"
+#include "vision/core/distance_volume.h"
 #include "vision/core/result.h"
 #include "vision/inspector.h"
 
@@ -47,6 +49,8 @@ struct ApplicationInputs {
   int width = 1280, height = 800;  // px
   bool keep_poses = true;          // of every frame, for poses(): memory that grows with the run
   bool wait_for_jobs = false;  // each frame waits for its jobs: the same pictures on any machine
+  // A graphics card draws: it colours every pixel of a frame. Not said: the driver is asked.
+  std::optional<bool> has_graphics_card;
 };
 
 // All functions on the main (GL) thread, a GLES 3 context current from create() to destruction.
@@ -126,6 +130,9 @@ class Application {
   void tap_box(const ui::Gesture& gesture, double slop_px);
   [[nodiscard]] bool fill_box(ui::ScreenState& out) const;
   [[nodiscard]] std::string box_in_words() const;
+  // application_distances.cpp
+  void start_distances();
+  void take_distances();
   // application_find.cpp
   [[nodiscard]] bool can_find() const;
   void start_find();
@@ -207,6 +214,8 @@ class Application {
   CommandQueue<Checked> checked_;
   CommandQueue<Error> write_errors_;
   std::optional<Error> first_write_error_;
+  CommandQueue<DistanceVolume> distances_;
+  std::stop_source stop_distances_;
   CommandQueue<Result<std::string>> saved_;  // what was said of each saving
   int saves_open_ = 0;
   JobThread saving_;  // a thread of its own: a check need not wait for so many files

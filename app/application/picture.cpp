@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "vision/inspect/facing.h"
+
 namespace spool {
 
 namespace {
@@ -51,13 +53,42 @@ Status Picture::resize(int width, int height) {
   return {};
 }
 
+Status Picture::set_distances(const DistanceVolume& distances, const Camera& camera) {
+  camera_ = camera;
+  shown_revision_ = 0;  // the same state looks different now
+  return overlay_.set_distances(distances);
+}
+
+// What contradicts the design is only known of the points that vision looked at.
+bool Picture::colours_by_distances(const VisionState& state) const {
+  return overlay_.has_distances() && state.is_tracked() && state.frame &&
+         state.frame->width == camera_.width && state.frame->height == camera_.height &&
+         std::find(state.classes.begin(), state.classes.end(), PointClass::kContradicting) ==
+             state.classes.end();
+}
+
+int Picture::stride_px(const VisionState& state) const {
+  return colours_by_distances(state) ? 1 : state.stride_px;
+}
+
 void Picture::set_state(const VisionState& state) {
   if (state.revision == shown_revision_) return;
   shown_revision_ = state.revision;
   std::vector<std::uint8_t> classes;
-  classes.reserve(state.classes.size());
-  for (const PointClass c : state.classes) classes.push_back(static_cast<std::uint8_t>(c));
-  overlay_.set_points(state.scan_design.points, state.deviations.distance_m, classes);
+  if (colours_by_distances(state)) {
+    const bool has_clutter = std::find(state.classes.begin(), state.classes.end(),
+                                       PointClass::kClutter) != state.classes.end();
+    overlay_.set_depth({.depth = state.frame->depth,
+                        .camera = camera_,
+                        .T_design_camera = state.T_design_camera,
+                        .facing_beyond_m = kFacingSigmas * state.point_noise_m,
+                        .facing_cosine = kFacingCosine},
+                       has_clutter);
+  } else {
+    classes.reserve(state.classes.size());
+    for (const PointClass c : state.classes) classes.push_back(static_cast<std::uint8_t>(c));
+    overlay_.set_points(state.scan_design.points, state.deviations.distance_m, classes);
+  }
   overlay_.set_patches(marks_of(state.coverage));
   // Before an alignment every point may be the object, and no deviation is known.
   const std::vector<float> unknown(state.scan.size(), std::numeric_limits<float>::quiet_NaN());

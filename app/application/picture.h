@@ -45,6 +45,12 @@ class Picture {
                                               double dp);
 
   [[nodiscard]] Status resize(int width, int height);
+  // From now on the points of tracked states are the pixels of their frames, each placed and
+  // coloured by the graphics card. kNoDevice where the driver has no room for that: all stays as it
+  // was.
+  [[nodiscard]] Status set_distances(const DistanceVolume& distances, const Camera& camera);
+  // Every so many pixels of a state's frame are drawn as points.
+  [[nodiscard]] int stride_px(const VisionState& state) const;
   // What the scene's pictures show from now on; nothing is sent to the GPU for a state already
   // there.
   void set_state(const VisionState& state);
@@ -60,6 +66,7 @@ class Picture {
           double dp)
       : overlay_(std::move(overlay)), scan_(std::move(scan)), panels_(std::move(panels)), dp_(dp) {}
 
+  [[nodiscard]] bool colours_by_distances(const VisionState& state) const;
   [[nodiscard]] Status draw_background();
   [[nodiscard]] render::OverlayStyle style_of(const ScenePicture& scene) const;
 
@@ -72,6 +79,7 @@ class Picture {
   ui::Rect still_rect_;
   std::uint64_t shown_revision_ = 0;
   double dp_ = 1;
+  Camera camera_;  // of the frames that are coloured by distances
 };
 
 }  // namespace spool

@@ -73,6 +73,7 @@ class Bench : public testing::Test {
     in.width = width;
     in.height = height;
     in.wait_for_jobs = wait_for_jobs_;
+    in.has_graphics_card = has_graphics_card_;
     const NoiseModel noise = in.noise;
     in.open_feed = [steps, noise, design = design_,
                     notes = notes_]() -> Result<std::unique_ptr<Feed>> {
@@ -131,6 +132,7 @@ class Bench : public testing::Test {
   TemporaryFolder folder_;
   std::shared_ptr<const PreparedDesign> design_ = prepared_bracket();
   bool wait_for_jobs_ = true;
+  bool has_graphics_card_ = false;
   std::shared_ptr<std::deque<SensorNote>> notes_ = std::make_shared<std::deque<SensorNote>>();
   std::unique_ptr<render::EglContext> context_;
   std::unique_ptr<Application> app_;  // goes before its context
