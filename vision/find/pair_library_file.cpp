@@ -156,11 +156,13 @@ Status write_pair_library(const std::filesystem::path& path, const PairLibrary& 
 Result<PairLibrary> read_pair_library(const std::filesystem::path& path) {
   const auto bytes = read_file(path);
   if (!bytes) return bytes.error();
+  return read_pair_library_bytes(*bytes, path.string());
+}
+
+Result<PairLibrary> read_pair_library_bytes(std::string_view all, const std::string& name) {
   const auto refused = [&](const std::string& what) {
-    return Error{ErrorCode::kBadInput,
-                 path.string() + ": " + what + "; delete it and it is made again"};
+    return Error{ErrorCode::kBadInput, name + ": " + what + "; delete it and it is made again"};
   };
-  const std::string_view all = *bytes;
   if (!all.starts_with(kMagic)) return refused("is not a model library");
   if (all.size() < kHeader) return refused("is a model library cut short");
   std::uint32_t version = 0;

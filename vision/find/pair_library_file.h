@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "vision/core/cancel.h"
 #include "vision/core/result.h"
@@ -21,6 +22,10 @@ namespace spool {
 // kBadInput, with a sentence that names the file: missing, no library, of another version, cut
 // short, changed since it was written, or inconsistent in itself. kIo: reading failed.
 [[nodiscard]] Result<PairLibrary> read_pair_library(const std::filesystem::path& path);
+
+// The same of a file's bytes; `name` is what messages call it.
+[[nodiscard]] Result<PairLibrary> read_pair_library_bytes(std::string_view bytes,
+                                                          const std::string& name);
 
 struct OpenedPairLibrary {
   PairLibrary library;      // the designs' models
