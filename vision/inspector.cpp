@@ -151,9 +151,10 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     const std::vector<PointClass>& classes = inspection.declutter.classes;
     parts = summarise_parts(design, inspection.scan_design, classes, inspection.deviations,
                             design_->samples, watch);
-    missing = missing_parts(design, {inspection.scan_design, classes, inspection.deviations},
-                            design_->samples, parts,
-                            in_sight(options, scan, design, inspection.alignment, noise_m), watch);
+    missing = missing_parts(
+        design, {inspection.scan_design, classes, inspection.deviations, inspection.pieces},
+        design_->samples, parts, in_sight(options, scan, design, inspection.alignment, noise_m),
+        watch);
   }
   if (watch.cancelled()) {  // half an inspection says nothing
     mark_stopped(inspection.alignment);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "vision/core/median.h"
+#include "vision/inspect/scan_gaps.h"
 #include "vision/scan/point_index.h"
 
 namespace spool {
@@ -101,6 +102,18 @@ std::vector<Eigen::Vector3f> own_points(const SurfaceSamples& samples, int part,
   return object;
 }
 
+// Of each part, the object's points on it.
+std::vector<std::vector<Eigen::Vector3f>> points_on_parts(const MeasuredScan& scan,
+                                                          std::size_t parts) {
+  std::vector<std::vector<Eigen::Vector3f>> on(parts);
+  for (std::size_t i = 0; i < scan.classes.size(); ++i) {
+    const std::int32_t part = scan.deviations.part[i];
+    if (scan.classes[i] == PointClass::kObject && part >= 0)
+      on[static_cast<std::size_t>(part)].push_back(scan.points.points[i]);
+  }
+  return on;
+}
+
 Shown what_shows(const SurfaceSamples& samples, int part, const PointIndex& surface,
                  const PointIndex& scan, float near_m) {
   Shown shown;
@@ -124,6 +137,20 @@ bool is_seen_through(const SurfaceSamples& samples, int part, const PointIndex& 
   });
   return sighted.through >= kFewSamples && sighted.through >= sighted.others / 2 &&
          sighted.share_there() < kThere;
+}
+
+// Whether the scan leaves out some other part, or a length of it. A piece that is elsewhere is not
+// left out.
+bool has_gap_beside(int part, const std::vector<std::uint8_t>& has_gap,
+                    std::span<const Piece> pieces) {
+  for (std::size_t p = 0; p < has_gap.size(); ++p) {
+    const auto is_it = [&](int each) { return each == static_cast<int>(p); };
+    const bool is_elsewhere = std::any_of(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+      return std::any_of(piece.parts.begin(), piece.parts.end(), is_it);
+    });
+    if (has_gap[p] != 0 && !is_it(part) && !is_elsewhere) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -153,9 +180,13 @@ std::vector<MissingPart> missing_parts(const DesignModel& design, const Measured
     const std::vector<Eigen::Vector3f> own = own_points(samples, part, scan, near, spread);
     return what_shows(samples, part, surface, PointIndex(own), near).is_nothing();
   };
+  const std::vector<std::uint8_t> has_gap =
+      by_sight ? std::vector<std::uint8_t>{}
+               : parts_with_gaps(samples, points_on_parts(scan, parts.size()), near, watch);
   for (const int part : doubtful) {
     if (watch.cancelled()) return {};
-    if (by_sight ? is_seen_through(samples, part, surface, near, *in_sight) : shows_nothing(part))
+    if (by_sight ? is_seen_through(samples, part, surface, near, *in_sight)
+                 : !has_gap_beside(part, has_gap, scan.pieces) && shows_nothing(part))
       missing.push_back({part, by_sight});
   }
   return missing;

@@ -247,15 +247,15 @@ TEST(PieceShape, LeavesToTheJointWhatThePieceDoesNotHold) {
   EXPECT_NEAR(pose_size(footed.as_held(turn)).rotation_rad, std::numbers::pi / 180, 1e-4);
 }
 
-std::vector<int> missing_in(const PointCloud& scan) {
+std::vector<int> missing_in(const PointCloud& scan, const std::vector<Piece>& pieces = {}) {
   const JointedSpool& spool = jointed();
   const Explanation explanation = explain_surface(spool.explained(), {scan, kNoise, true});
   const auto parts = summarise_parts(spool.design, scan, explanation.declutter.classes,
                                      explanation.deviations, spool.samples);
   std::vector<int> missing;
-  for (const MissingPart& it :
-       missing_parts(spool.design, {scan, explanation.declutter.classes, explanation.deviations},
-                     spool.samples, parts)) {
+  for (const MissingPart& it : missing_parts(
+           spool.design, {scan, explanation.declutter.classes, explanation.deviations, pieces},
+           spool.samples, parts)) {
     EXPECT_FALSE(it.is_seen_through) << "no camera";
     missing.push_back(it.part);
   }
@@ -271,6 +271,45 @@ TEST(MissingParts, AreThoseThatDoNotShowWhereTheirNeighboursDo) {
   EXPECT_EQ(
       missing_in(jointed().scan(jointed().as_designed(), {true, true, false, false, true, true})),
       std::vector<int>{});
+}
+
+// The scan less the points for which `is_gone` holds.
+template <class IsGone>
+PointCloud cut(const PointCloud& scan, const IsGone& is_gone) {
+  PointCloud left;
+  for (std::size_t i = 0; i < scan.size(); ++i) {
+    if (is_gone(scan.points[i])) continue;
+    left.points.push_back(scan.points[i]);
+    left.normals.push_back(scan.normals[i]);
+  }
+  return left;
+}
+
+// Nobody knows what the scanner looked at: that a length of the spool was left out elsewhere says
+// that the part may have been as well.
+TEST(MissingParts, AreNotNamedWhereTheScanLeavesOutMore) {
+  const PointCloud scan =
+      jointed().scan(jointed().as_designed(), {true, true, true, false, true, true});
+  const auto from_half_of_the_side = [](const Eigen::Vector3f& p) {
+    return p.z() > 0.36F && p.y() < -0.2F && p.y() > -0.4F;
+  };
+  EXPECT_TRUE(missing_in(cut(scan, from_half_of_the_side)).empty());
+  // What only looks away from a scanner is no gap: here half of all that lies along x or y.
+  const auto from_below = [](const Eigen::Vector3f& p) {
+    const bool is_arm = p.z() > 0.75F && p.x() > 0.05F;
+    const bool is_side = p.y() < -0.05F && p.z() > 0.36F;
+    return (is_arm && p.z() < 0.8F) || (is_side && p.z() < 0.4F);
+  };
+  EXPECT_EQ(missing_in(cut(scan, from_below)), std::vector<int>{kTip});
+}
+
+TEST(MissingParts, AreNamedWhereWhatElseDoesNotShowIsElsewhere) {
+  const JointedSpool& spool = jointed();
+  const PointCloud scan = spool.scan(spool.as_designed(), {true, true, true, false, true, false});
+  EXPECT_TRUE(missing_in(scan).empty());
+  Piece end;
+  end.parts = {kEnd};
+  EXPECT_EQ(missing_in(scan, {end}), (std::vector<int>{kTip, kEnd}));
 }
 
 TEST(MissingParts, AreNotVouchedForByTheEndOfAPipe) {
