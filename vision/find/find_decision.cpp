@@ -28,9 +28,13 @@ constexpr double kAlike = 0.02;
 // can what lies behind floor or walls have been scanned, but a spool may go through a wall.
 constexpr double kLeastThere = 0.5, kMostBehind = 0.5;
 constexpr std::size_t kMostOthers = 8;  // more ways than that is no finding
-// Two pipes that meet lie about in any shop. Where little of the design shows, it has to be three
-// runs of it, each with so much of what is explained and so many points.
-constexpr int kLeastRuns = 3;
+// Two pipes that meet lie about in any shop, most at a right angle, and many with a flange on one
+// of them: a single length that agrees by chance is then all that speaks for the design. Where not
+// most of it shows, two lengths or angles have to agree. Three runs of it are enough (the length of
+// the middle one, and how the outer ones stand to each other), each with so much of what is
+// explained and so many points.
+constexpr int kLeastRuns = 3, kLeastAgreeing = 2;
+constexpr double kMostOfIt = 0.70;
 constexpr double kOfRun = 0.05;
 constexpr double kRunPoints = 10;
 
@@ -45,15 +49,44 @@ bool is_as_good(const PoseEvidence& other, const PoseEvidence& best) {
          std::max(kAlike * best.excess(), 3 * std::sqrt(std::max(1.0, 0.05 * best.excess())));
 }
 
-// Runs of the design with points on them.
-int runs_in_sight(const FinderModel& model, const PoseEvidence& pose) {
+// Runs of the design with points on them, and how many of the design's lengths these bear out: on
+// each as many as there are stops beyond the first. Of a run that is no line of joints nobody knows
+// where it stops; its own length is taken to be one.
+struct Runs {
+  int in_sight = 0, lengths = 0;
+};
+
+Runs runs_of(const FinderModel& model, const PoseEvidence& pose) {
   std::vector<double> on(static_cast<std::size_t>(model.runs.count), 0);
   for (std::size_t p = 0; p < model.runs.of_part.size() && p < pose.per_part.size(); ++p)
     if (model.runs.of_part[p] >= 0)
       on[static_cast<std::size_t>(model.runs.of_part[p])] += pose.per_part[p];
   const double least = std::max(kRunPoints, kOfRun * static_cast<double>(pose.explained));
-  return static_cast<int>(
-      std::count_if(on.begin(), on.end(), [&](double points) { return points >= least; }));
+  std::vector<int> stops(on.size(), 0);
+  for (std::size_t p = 0; p < model.runs.at.size() && p < pose.shows_stop.size(); ++p)
+    for (const int run : model.runs.at[p])
+      stops[static_cast<std::size_t>(run)] += pose.shows_stop[p];
+  Runs runs;
+  for (std::size_t run = 0; run < on.size(); ++run) {
+    if (on[run] < least) continue;
+    ++runs.in_sight;
+    const bool is_line = !model.runs.lines[run].direction.isZero();
+    runs.lengths += is_line ? std::max(0, stops[run] - 1) : 1;
+  }
+  return runs;
+}
+
+// Whether more of the design agrees than of any two pipes that meet.
+bool is_more_than_two_pipes(const FinderModel& model, const PoseEvidence& pose) {
+  const Runs runs = runs_of(model, pose);
+  if (runs.in_sight >= kLeastRuns || pose.coverage >= kMostOfIt) return true;
+  const bool is_nearly_half = pose.coverage >= kCoverageWithRival;
+  const bool do_agree = runs.lengths >= kLeastAgreeing;
+  // Of a design of one run or two there is no more to be had.
+  if (model.runs.count < kLeastRuns)
+    return runs.in_sight == model.runs.count &&
+           (model.runs.count <= 1 || do_agree || is_nearly_half);
+  return do_agree && is_nearly_half;
 }
 
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
@@ -93,8 +126,7 @@ FindDecision decide(const FinderModel& model, const std::vector<PoseEvidence>& p
         "single pipe does not; scan an end, a branch or a flange as well, or pick three pairs.";
     return decision;
   }
-  if (best.coverage < kCoverageWithRival &&
-      runs_in_sight(model, best) < std::min(kLeastRuns, model.runs.count)) {
+  if (!is_more_than_two_pipes(model, best)) {
     decision.reason =
         "The design was not found in the scan: what fits best is no more than two pipes that meet, "
         "as many do; scan more of the spool, or pick three pairs.";

@@ -4,9 +4,11 @@
 #include "vision/find/finder_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "vision/align/weak_directions.h"
+#include "vision/core/median.h"
 #include "vision/scan/thinning.h"
 
 namespace spool {
@@ -41,6 +43,42 @@ int free_motions_of(const PointCloud& samples) {
   return static_cast<int>(std::count(motions.weak.begin(), motions.weak.end(), true));
 }
 
+// What keeps a run from sliding along itself: a bend, a flange's faces, a cap's crown, a branch.
+// Everything else on it a pipe that only goes through would show as well.
+std::vector<std::uint8_t> stops_of(const FinderModel& model) {
+  constexpr float kAlong = 0.9F;    // cosine of 26 degrees: looks along the run
+  constexpr float kBeside = 1.25F;  // times what most of the part is from its line: a branch
+  const std::vector<Eigen::Vector3f>& points = model.samples.points;
+  const auto off = [&](std::size_t s, const RunLine& line) {
+    return (points[s] - line.point).cross(line.direction).norm();
+  };
+  std::vector<std::vector<float>> offs(model.parts);
+  for (std::size_t s = 0; s < points.size(); ++s) {
+    const auto part = static_cast<std::size_t>(model.part[s]);
+    if (const int run = model.runs.of_part[part]; run >= 0)
+      offs[part].push_back(off(s, model.runs.lines[static_cast<std::size_t>(run)]));
+  }
+  std::vector<float> usual(model.parts, 0);
+  for (std::size_t part = 0; part < model.parts; ++part)
+    if (!offs[part].empty()) usual[part] = median(offs[part]);
+  std::vector<std::uint8_t> is_stop(points.size(), 0);
+  for (std::size_t s = 0; s < points.size(); ++s) {
+    const auto part = static_cast<std::size_t>(model.part[s]);
+    const int run = model.runs.of_part[part];
+    if (run < 0) {
+      is_stop[s] = 1;
+      continue;
+    }
+    const RunLine& line = model.runs.lines[static_cast<std::size_t>(run)];
+    const bool is_branched = model.runs.at[part].size() > 1;
+    is_stop[s] = (is_branched ? off(s, line) > kBeside * usual[part]
+                              : std::abs(line.direction.dot(model.samples.normals[s])) > kAlong)
+                     ? 1
+                     : 0;
+  }
+  return is_stop;
+}
+
 }  // namespace
 
 FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface& surface,
@@ -60,6 +98,7 @@ FinderModel FinderModel::prepare(const DesignModel& design, const DesignSurface&
   model.parts = design.parts.size();
   model.runs = straight_runs(design);
   if (!model.samples.has_normals() || !(model.size_m > 0)) return model;
+  model.is_stop = stops_of(model);
   if (!goes_on()) return model;
   std::mt19937 random(seed);
   model.probes = model.samples.points;

@@ -41,6 +41,7 @@ struct FinderModel {
   std::vector<FinderLevel> levels;      // in the order in which they are tried
   std::size_t parts = 0;                // of the design
   StraightRuns runs;                    // parts in one line
+  std::vector<std::uint8_t> is_stop;    // of each sample: a pipe through there would not have it
   std::vector<SelfLikeness> alike;      // motions that lay half of the design or more on itself
   std::vector<Pose> symmetries;         // of those, the ones that change nothing at all
   int free_motions = 0;                 // of the whole design: one of a body of revolution

@@ -53,6 +53,23 @@ Sighted sighted(const FinderModel& model, const Sight& sight,
   return sighted;
 }
 
+// Of which parts more of what stops a run shows than clutter would put there by chance.
+std::vector<std::uint8_t> stops_in_sight(const FinderModel& model, const std::vector<double>& on,
+                                         double chance) {
+  constexpr double kLeast = 10;  // points
+  std::vector<double> share(model.parts, 0);
+  for (std::size_t s = 0; s < model.is_stop.size(); ++s)
+    if (model.is_stop[s] != 0)
+      share[static_cast<std::size_t>(model.part[s])] +=
+          1 / static_cast<double>(model.is_stop.size());
+  std::vector<std::uint8_t> shows(model.parts, 0);
+  for (std::size_t p = 0; p < model.parts; ++p) {
+    const double by_chance = chance * share[p];
+    shows[p] = on[p] >= kLeast + 2 * by_chance + 3 * std::sqrt(by_chance) ? 1 : 0;
+  }
+  return shows;
+}
+
 }  // namespace
 
 PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
@@ -67,6 +84,7 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
   std::vector<Eigen::Vector3f> on_design;
   std::size_t round_it = 0;
   std::vector<float> distances;
+  std::vector<double> on_stops(model.parts, 0);
   const double reach = model.field.reach_m();
   const auto gate = static_cast<float>(gate_m);
   const auto beside2 =
@@ -87,10 +105,12 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
     matches.push_back({p, model.samples.normals[s], r, 1.0F});
     distances.push_back(std::abs(r));
     ++evidence.per_part[static_cast<std::size_t>(model.part[s])];
+    on_stops[static_cast<std::size_t>(model.part[s])] += model.is_stop[s];
   }
   evidence.explained = on.size();
   // What lies round the surface but not on it is clutter: as thick a layer of it lies on it too.
   evidence.chance = static_cast<double>(round_it) * gate_m / std::max(gate_m, reach - gate_m);
+  evidence.shows_stop = stops_in_sight(model, on_stops, evidence.chance);
   evidence.free_motions = 6;
   if (on.size() < 8) return evidence;
   evidence.scale_m = 1.4826 * double{median(distances)};

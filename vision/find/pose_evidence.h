@@ -23,8 +23,9 @@ struct PoseEvidence {
   double scale_m = 0;         // standard deviation of their distances (1.4826 median)
   int free_motions = 0;       // motions of the design that they do not hold, chance taken off
   int hits = 0;               // independent draws that ended here
-  std::vector<std::uint32_t> per_part;  // explained points on each part of the design
-  std::vector<std::uint32_t> points;    // the explained points' places in the scene, ascending
+  std::vector<std::uint32_t> per_part;   // explained points on each part of the design
+  std::vector<std::uint8_t> shows_stop;  // of each part: what a pipe through there would not have
+  std::vector<std::uint32_t> points;     // the explained points' places in the scene, ascending
   Sighted sighted;  // of the surface that would face the camera; nothing where that is not known
 
   double behind = 0;  // share of the design's surface behind floor or walls that end the scan

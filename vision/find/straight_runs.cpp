@@ -47,20 +47,30 @@ StraightRuns straight_runs(const DesignModel& design) {
     add(joint.part_a, joint.port_a);
     add(joint.part_b, joint.port_b);
   }
-  StraightRuns runs{std::vector<int>(design.parts.size(), -1), 0};
+  StraightRuns runs;
+  runs.of_part.assign(design.parts.size(), -1);
+  runs.at.resize(design.parts.size());
   std::vector<int> run_of_line(lines.size(), -1);
   for (std::size_t p = 0; p < design.parts.size(); ++p) {
     const std::vector<int>& on = ports_on[p];
     if (on.empty()) {
       runs.of_part[p] = runs.count++;
+      runs.lines.emplace_back();
       continue;
     }
     const auto most = std::max_element(on.begin(), on.end());
     if (std::count(on.begin(), on.end(), *most) > 1) continue;  // an elbow
-    int& run = run_of_line[static_cast<std::size_t>(most - on.begin())];
-    if (run < 0) run = runs.count++;
+    const auto line = static_cast<std::size_t>(most - on.begin());
+    int& run = run_of_line[line];
+    if (run < 0) {
+      run = runs.count++;
+      runs.lines.push_back({lines[line].point.cast<float>(), lines[line].direction.cast<float>()});
+    }
     runs.of_part[p] = run;
   }
+  for (std::size_t p = 0; p < design.parts.size(); ++p)
+    for (std::size_t line = 0; line < ports_on[p].size(); ++line)
+      if (ports_on[p][line] > 0 && run_of_line[line] >= 0) runs.at[p].push_back(run_of_line[line]);
   return runs;
 }
 

@@ -11,15 +11,29 @@
 namespace spool {
 namespace {
 
-// Three parts, each a straight run by itself.
-FinderModel chain() {
+// As many runs of one part with joints on them, and after each but the last an elbow to the next;
+// a flange on the first and on the last.
+FinderModel chain(int count = 3) {
   FinderModel model;
-  model.parts = 3;
-  model.runs = {{0, 1, 2}, 3};
+  model.runs.count = count;
+  for (int run = 0; run < count; ++run) {
+    model.runs.of_part.push_back(run);
+    model.runs.at.push_back({run});
+    model.runs.lines.push_back({Eigen::Vector3f::Zero(), Eigen::Vector3f::Unit(run)});
+  }
+  for (int run = 0; run + 1 < count; ++run) {
+    model.runs.of_part.push_back(-1);
+    model.runs.at.push_back({run, run + 1});
+  }
+  for (const int run : {0, count - 1}) {
+    model.runs.of_part.push_back(run);
+    model.runs.at.push_back({run});
+  }
+  model.parts = model.runs.of_part.size();
   return model;
 }
 
-// Explains the points [from, to) of a scene, a third of them on each part.
+// Explains the points [from, to) of a scene, a third of them on each of three parts.
 PoseEvidence evidence(std::uint32_t from, std::uint32_t to, double coverage, double chance = 0) {
   PoseEvidence pose;
   pose.points.resize(to - from);
@@ -33,6 +47,12 @@ PoseEvidence evidence(std::uint32_t from, std::uint32_t to, double coverage, dou
 
 PoseEvidence with_parts(PoseEvidence pose, const std::vector<std::uint32_t>& per_part) {
   pose.per_part = per_part;
+  return pose;
+}
+
+// Of chain(3): three runs, two elbows, a flange on either end.
+PoseEvidence with_stops(PoseEvidence pose, const std::vector<std::uint8_t>& shows_stop) {
+  pose.shows_stop = shows_stop;
   return pose;
 }
 
@@ -134,10 +154,35 @@ INSTANTIATE_TEST_SUITE_P(
              {},
              "two pipes that meet"},
         Case{"two_pipes_that_are_most_of_it",
-             {with_parts(evidence(0, 1000, 0.5), {500, 480, 20})},
+             {with_parts(evidence(0, 1000, 0.72), {500, 480, 20})},
              true,
              {},
              ""},
+        // With a flange on one of them: its length agrees by chance now and then.
+        Case{
+            "two_pipes_and_a_flange",
+            {with_stops(with_parts(evidence(0, 1000, 0.6), {500, 480, 20}), {0, 0, 0, 1, 0, 1, 0})},
+            false,
+            {},
+            "two pipes that meet"},
+        // A length of either, as of a flange and an elbow on each side.
+        Case{
+            "two_pipes_of_two_lengths_that_agree",
+            {with_stops(with_parts(evidence(0, 1000, 0.5), {500, 480, 20}), {0, 0, 0, 1, 1, 1, 0})},
+            true,
+            {},
+            ""},
+        Case{
+            "two_pipes_of_two_lengths_and_little_of_the_whole",
+            {with_stops(with_parts(evidence(0, 1000, 0.4), {500, 480, 20}), {0, 0, 0, 1, 1, 1, 0})},
+            false,
+            {},
+            "two pipes that meet"},
+        Case{"one_run_with_a_flange_and_an_elbow",
+             {with_stops(with_parts(evidence(0, 1000, 0.5), {960, 20, 20}), {0, 0, 0, 1, 0, 1, 0})},
+             false,
+             {},
+             "two pipes that meet"},
         Case{
             "three_runs_of_it", {with_parts(evidence(0, 1000, 0.4), {500, 440, 60})}, true, {}, ""},
         Case{"ten_as_good",
@@ -153,6 +198,22 @@ TEST(FindDecision, LetsABodyOfRevolutionTurn) {
   EXPECT_FALSE(decide(model, poses).found);
   model.free_motions = 1;
   EXPECT_TRUE(decide(model, poses).found);
+}
+
+TEST(FindDecision, AsksOfADesignNoMoreRunsThanItHas) {
+  const auto is_found = [](int runs, const PoseEvidence& pose) {
+    return decide(chain(runs), {pose}).found;
+  };
+  EXPECT_TRUE(is_found(1, with_parts(evidence(0, 1000, 0.32), {1000, 0, 0})));
+  const std::vector<std::uint32_t> both{500, 500}, one{990, 10};
+  EXPECT_TRUE(is_found(2, with_parts(evidence(0, 1000, 0.5), both)));
+  EXPECT_FALSE(is_found(2, with_parts(evidence(0, 1000, 0.4), both)));
+  EXPECT_TRUE(is_found(2, with_stops(with_parts(evidence(0, 1000, 0.4), both), {0, 0, 1, 1, 1})));
+  EXPECT_FALSE(is_found(2, with_parts(evidence(0, 1000, 0.5), one)));
+  // Of runs that are no line of joints nobody knows where they stop.
+  FinderModel bare = chain(2);
+  bare.runs.lines.assign(2, {});
+  EXPECT_TRUE(decide(bare, {with_parts(evidence(0, 1000, 0.4), both)}).found);
 }
 
 TEST(FindDecision, NeedsNoParts) {

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/find/pose_evidence.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -80,6 +82,43 @@ TEST(PoseEvidence, CountsClutterThatHappensToLieThere) {
   EXPECT_NEAR(evidence.chance, static_cast<double>(evidence.explained),
               0.35 * static_cast<double>(evidence.explained));
   EXPECT_GT(evidence.free_motions, 0) << "what chance holds is not held";
+}
+
+// Two pipes that meet at a right angle; the joint says which way each runs.
+FinderModel corner() {
+  using Eigen::Vector3d;
+  const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY();
+  DesignModel design = test::design_of({{{0, 0, 0}, x, 0.05, 0.6}, {{0.6, 0.05, 0}, y, 0.05, 0.5}});
+  design.parts[0].ports = {{"out", design.parts[0].T_design_part.inverse() * Vector3d(0.6, 0, 0),
+                            design.parts[0].T_design_part.linear().transpose() * x}};
+  design.parts[1].ports = {{"in", design.parts[1].T_design_part.inverse() * Vector3d(0.6, 0.05, 0),
+                            design.parts[1].T_design_part.linear().transpose() * -y}};
+  Joint joint;
+  joint.part_a = joint.port_a = joint.port_b = 0;
+  joint.part_b = 1;
+  design.joints = {joint};
+  return test::finder_of(design, 4000);
+}
+
+TEST(PoseEvidence, SaysOfWhichPartsAStopShows) {
+  const FinderModel model = corner();
+  ASSERT_EQ(model.runs.count, 2);
+  // What a scan shows that sees nothing of what looks along an axis.
+  const auto held = [&](const std::vector<Vector3f>& blind) {
+    std::vector<Vector3f> scan;
+    for (std::size_t i = 0; i < model.samples.size(); ++i)
+      if (std::none_of(blind.begin(), blind.end(), [&](const Vector3f& axis) {
+            return std::abs(axis.dot(model.samples.normals[i])) > 0.9F;
+          }))
+        scan.push_back(model.samples.points[i]);
+    const FindScene scene(model, scan, 0.002, {});
+    return weigh_pose(model, scene, Eigen::Isometry3f::Identity(), kGate).shows_stop;
+  };
+  using Held = std::vector<std::uint8_t>;
+  const Vector3f x = Vector3f::UnitX(), y = Vector3f::UnitY();
+  EXPECT_EQ(held({}), (Held{1, 1}));
+  EXPECT_EQ(held({y}), (Held{1, 0}));
+  EXPECT_EQ(held({x, y}), (Held{0, 0}));
 }
 
 TEST(PoseEvidence, OfNothingIsNothing) {

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/find/straight_runs.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "tests/vision/align/synthetic_spool.h"
@@ -54,6 +56,17 @@ TEST(StraightRuns, GoThroughTees) {
   EXPECT_NE(runs.of_part[4], runs.of_part[0]);
   EXPECT_NE(runs.of_part[5], runs.of_part[0]);
   EXPECT_NE(runs.of_part[5], runs.of_part[4]);
+  ASSERT_EQ(runs.lines.size(), 3U);
+  const auto along = [&](int part, const Vector3d& axis) {
+    const auto run = static_cast<std::size_t>(runs.of_part[static_cast<std::size_t>(part)]);
+    return std::abs(double{runs.lines[run].direction.dot(axis.cast<float>())});
+  };
+  EXPECT_NEAR(along(0, Vector3d::UnitX()), 1, 1e-6);
+  EXPECT_NEAR(along(4, Vector3d::UnitY()), 1, 1e-6);
+  // A tee is on the branch's run as well, an elbow on both that it joins.
+  EXPECT_EQ(runs.at[0], std::vector<int>{runs.of_part[0]});
+  EXPECT_EQ(runs.at[1], (std::vector<int>{runs.of_part[0], runs.of_part[5]}));
+  EXPECT_EQ(runs.at[3], (std::vector<int>{runs.of_part[0], runs.of_part[4]}));
 }
 
 TEST(StraightRuns, APartWithoutAJointIsOneByItself) {
@@ -62,6 +75,7 @@ TEST(StraightRuns, APartWithoutAJointIsOneByItself) {
   const StraightRuns runs = straight_runs(design);
   EXPECT_EQ(runs.count, 6);
   EXPECT_EQ(runs.of_part, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  for (const RunLine& line : runs.lines) EXPECT_TRUE(line.direction.isZero());
 }
 
 }  // namespace
