@@ -18,6 +18,9 @@ constexpr std::size_t kLeastPoints = 25;
 constexpr double kMostChance = 0.25;  // of the points on it, that clutter would put there
 constexpr double kSetBack = 0.02;     // m: so far from its end a pipe's surface is looked at
 constexpr std::size_t kCounterpartPoints = 400;
+constexpr double kJoinShown = 0.35;    // of what a piece hangs on, round the joint…
+constexpr float kRoundJoint = 4;       // …so many times what a tried motion may miss
+constexpr double kExcessShown = 0.75;  // of the length that is too much
 
 // Whether points lie on a surface, told by its samples.
 class OnSurface {
@@ -52,6 +55,9 @@ class Excess {
   Excess(const DesignModel& design, const SurfaceSamples& samples, const JointBranch& branch,
          const Eigen::Isometry3f& move, const ChainOptions& options, double gate_m)
       : frame_(branch.frame), by_m_(move.translation().dot(branch.frame.outward)) {
+    is_shown_.assign(static_cast<std::size_t>(std::max(
+                         1L, std::lround(double{by_m_} / (kRoughMotion * options.size_m)))),
+                     0);
     for (const int part : {branch.part_near, branch.part_far}) {
       if (design.parts[static_cast<std::size_t>(part)].kind != PartKind::kPipe) continue;
       std::vector<std::uint8_t> is_part(design.parts.size(), 0);
@@ -62,13 +68,27 @@ class Excess {
     }
   }
 
-  [[nodiscard]] bool holds(const Eigen::Vector3f& p) const {
+  // Whether the point lies on it; if so, that length of it shows.
+  bool takes(const Eigen::Vector3f& p) {
     const float along = (p - frame_.point).dot(frame_.outward);
     if (along < 0 || along > by_m_) return false;
-    return std::any_of(pipes_.begin(), pipes_.end(), [&](const Pipe& pipe) {
+    const bool holds = std::any_of(pipes_.begin(), pipes_.end(), [&](const Pipe& pipe) {
       const float to = pipe.side * static_cast<float>(kSetBack);
       return pipe.surface.is_on(p + (to - along) * frame_.outward);
     });
+    const auto slices = static_cast<float>(is_shown_.size());
+    if (holds)
+      is_shown_[std::min(is_shown_.size() - 1, static_cast<std::size_t>(slices * along / by_m_))] =
+          1;
+    return holds;
+  }
+
+  // What is joined to a pipe that is too long is joined to it by what is too much: a piece that
+  // lies further out with nothing between is something else.
+  [[nodiscard]] bool shows() const {
+    const auto shown = std::count(is_shown_.begin(), is_shown_.end(), 1);
+    return pipes_.empty() ||
+           static_cast<double>(shown) >= kExcessShown * static_cast<double>(is_shown_.size());
   }
 
  private:
@@ -78,6 +98,7 @@ class Excess {
   };
   JointFrame frame_;
   float by_m_;
+  std::vector<std::uint8_t> is_shown_;  // of each length, as long as a motion may miss
   std::vector<std::unique_ptr<PointCloud>> samples_;
   std::vector<Pipe> pipes_;
 };
@@ -126,8 +147,27 @@ std::size_t ChainWeigher::on_counterpart(const ChainMotion& motion,
   return std::min(points.size(), most * step);
 }
 
+bool ChainWeigher::is_joined(const ChainScan& scan, const ChainMotion& motion) const {
+  const auto at = std::find_if(tree_.begin(), tree_.end(), [&](const JointBranch& each) {
+    return each.joint == motion.hangs_at;
+  });
+  const JointBranch& joint = at == tree_.end() ? tree_[motion.branch] : *at;
+  const auto rough_m = static_cast<float>(kRoughMotion * options_.size_m);
+  std::vector<Eigen::Vector3f> surface, shown;
+  for (std::size_t s = 0; s < samples_.part.size(); ++s)
+    if (samples_.part[s] == joint.part_near &&
+        (samples_.cloud.points[s] - joint.frame.point).norm() < kRoundJoint * rough_m)
+      surface.push_back(samples_.cloud.points[s]);
+  if (surface.empty()) return true;
+  for (std::size_t i = 0; i < scan.explained.size(); ++i)
+    if (scan.explained_part[i] == joint.part_near) shown.push_back(scan.explained[i]);
+  const Occupancy near(shown, double{rough_m});
+  return double{pose_score(Eigen::Isometry3f::Identity(), near, surface)} >= kJoinShown;
+}
+
 std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const ChainMotion& motion,
                                                  double least) const {
+  if (!is_joined(scan, motion)) return std::nullopt;
   const JointBranch& branch = tree_[motion.branch];
   const PieceShape& shape = shapes_[motion.branch];
   const OnSurface surface(shape.samples, options_.size_m, gate_m_);
@@ -157,7 +197,7 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
     if (surface.is_on(p)) {
       weighed.points.push_back(i);
       on.push_back(p);
-    } else if (excess && excess->holds(scan.left[i])) {
+    } else if (excess && excess->takes(scan.left[i])) {
       weighed.points.push_back(i);
       ++on_excess;
     } else {
@@ -175,10 +215,12 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
     if (surface.is_on(p)) {
       weighed.explained.push_back(i);
       if (was_on) (was_well ? stays : on).push_back(p);
-    } else if (was_on && was_well && !(excess && excess->holds(scan.explained[i]))) {
-      lost.push_back(scan.explained[i]);
+    } else {
+      const bool is_excess = excess && excess->takes(scan.explained[i]);
+      if (was_on && was_well && !is_excess) lost.push_back(scan.explained[i]);
     }
   }
+  if (excess && !excess->shows()) return std::nullopt;
   const double reach = surface.field().reach_m();
   const double chance =
       static_cast<double>(round_it) * gate_m_ / std::max(gate_m_, reach - gate_m_);

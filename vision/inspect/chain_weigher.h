@@ -43,6 +43,10 @@ class ChainWeigher {
   [[nodiscard]] std::size_t on_counterpart(const ChainMotion& motion,
                                            std::span<const Eigen::Vector3f> points) const;
 
+  // Whether what the moved piece hangs on shows where they meet: else nothing says that it is the
+  // spool's and not something that looks like it.
+  [[nodiscard]] bool is_joined(const ChainScan& scan, const ChainMotion& motion) const;
+
   std::span<const JointBranch> tree_;
   std::span<const PieceShape> shapes_;
   const DesignModel& design_;

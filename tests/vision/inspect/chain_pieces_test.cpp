@@ -150,6 +150,14 @@ TEST(ChainPieces, NameBothBranchesThatChangedPlaces) {
   EXPECT_EQ(named, (std::vector<int>{kArm, kSide}));
 }
 
+// The tip is missing, and what lies further out looks like it: nothing joins it to the arm.
+TEST(ChainPieces, AreNotTooFarOutWithNothingBetween) {
+  std::vector<Pose> built = jointed().as_designed();
+  built[kTip] = test::moved({0.13, 0, 0});
+  const Explanation explanation = explain(jointed().scan(built, kAll));
+  for (const Piece& piece : explanation.pieces) EXPECT_NE(piece.fault, PieceFault::kTooLong);
+}
+
 TEST(ChainPieces, AreNotMadeOfClutter) {
   PointCloud scan = jointed().scan(jointed().as_designed(), {true, true, true, false, true, true});
   std::mt19937 random{3};

@@ -82,6 +82,11 @@ TEST(NearExplained, IsWonByThePieceThatItLiesOn) {
     (p.z() < 0.8F ? explained : left).push_back(p);
     if (p.z() < 0.8F) part.push_back(p.z() < 0.6F ? 1 : 2);
   }
+  // The pipe that is too long.
+  const PointCloud excess =
+      test::scan_of({{{0, 0, 0.5}, Vector3d::UnitZ(), 0.05, 0.08}}, Pose::Identity(),
+                    {.points = 300, .noise_m = kNoise, .with_ends = false}, random);
+  left.insert(left.end(), excess.points.begin(), excess.points.end());
   std::vector<PieceShape> shapes;
   for (const JointBranch& branch : pipe.tree) shapes.emplace_back(branch.is_part, pipe.samples);
   const ChainOptions options{.noise_m = kNoise, .size_m = 0.8};
