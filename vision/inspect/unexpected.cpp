@@ -8,9 +8,12 @@
 #include <map>
 #include <optional>
 
+#include <Eigen/Geometry>
+
 #include "vision/inspect/deviation.h"
 #include "vision/inspect/ground.h"
 #include "vision/scan/point_index.h"
+#include "vision/scan/thinning.h"
 
 namespace spool {
 namespace {
@@ -18,40 +21,91 @@ namespace {
 constexpr double kLeastReach = 0.08;  // m: less is a weld, a lug, dirt or the sensor's fringe
 constexpr std::size_t kLeastPoints = 30;
 constexpr double kJoined = 2.0;  // times the spacing of the scan's points
-// Of its reach: what may lie between it and the floor, and where it points straight at it (cosine
-// of 15 degrees).
+constexpr double kCell = 0.25;   // of what joins: closer points say no more of what hangs together
+// What may lie between it and the floor: of the way that it comes nearer to it, and of its reach
+// where it points straight at it (cosine of 15 degrees).
 constexpr double kOfTheWay = 0.5, kStraightWay = 2.0;
 constexpr float kStraight = 0.966F;
 constexpr double kFarthest = 2.0;  // m: no branch reaches further
 
+std::vector<Eigen::Vector3f> thinned(std::span<const Eigen::Vector3f> points, double cell_m,
+                                     const Watch& watch) {
+  const PointCloud cells = thin_to_voxels(CloudView(points), cell_m, watch);
+  std::vector<Eigen::Vector3f> some;
+  some.reserve(cells.pixels.size());
+  for (const std::uint32_t i : cells.pixels) some.push_back(points[i]);
+  return some;
+}
+
 // Points joined to one another and to the spool, followed until they turn out to be held elsewhere.
+// What meets at the spool alone, as a branch and a stand beside it do, is not one thing. It looks
+// at one point of each cell, so that a scan of millions takes no longer than its surface is large.
 class Growth {
  public:
-  Growth(const UnexpectedScan& scan, double step_m, const Watch& watch)
+  Growth(const UnexpectedScan& scan, const PointIndex& object, double step_m, const Watch& watch)
       : scan_(scan),
         step_m_(static_cast<float>(step_m)),
-        left_(scan.left, watch),
-        is_met_(scan.left.size(), 0) {}
+        points_(thinned(scan.left, kCell * step_m, watch)),
+        most_(thinned(scan.object, kCell * step_m, watch).size()),
+        left_(points_, watch),
+        is_at_spool_(points_.size(), 0),
+        is_met_(points_.size(), 0) {
+    watched_loop(points_.size(), watch, [&](std::size_t i) {
+      is_at_spool_[i] = object.is_within(points_[i], step_m_) ? 1 : 0;
+    });
+  }
 
+  // One of each cell of what is left of the scan.
+  [[nodiscard]] const std::vector<Eigen::Vector3f>& points() const { return points_; }
   [[nodiscard]] bool is_met(std::uint32_t i) const { return is_met_[i] != 0; }
+  // The points() that are not at the spool, but joined to one that is, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> starts(const Watch& watch) const {
+    std::vector<std::uint8_t> is_start(points_.size(), 0);
+    std::vector<Neighbour> near;
+    for (std::uint32_t i = 0; i < points_.size() && !watch.cancelled(); ++i) {
+      if (is_at_spool_[i] == 0) continue;
+      left_.within(points_[i], step_m_, near);
+      for (const Neighbour& n : near) is_start[n.index] = is_at_spool_[n.index] == 0 ? 1 : 0;
+    }
+    std::vector<std::uint32_t> starts;
+    for (std::uint32_t i = 0; i < is_start.size(); ++i)
+      if (is_start[i] != 0) starts.push_back(i);
+    return starts;
+  }
 
-  // All that is joined to point `first`; nothing where something else holds it, or where it is more
-  // than the spool: a heap, a wall of clutter.
+  // Of what is left of the scan, all that lies where `some` of the points stand for it, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> all_of(const std::vector<std::uint32_t>& some) const {
+    Eigen::AlignedBox3f box;
+    for (const std::uint32_t i : some) box.extend(points_[i]);
+    const auto cell = static_cast<float>(std::sqrt(3.0) * kCell) * step_m_;
+    const Eigen::AlignedBox3f wider(box.min().array() - cell, box.max().array() + cell);
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t k = 0; k < scan_.left.size(); ++k) {
+      if (!wider.contains(scan_.left[k])) continue;
+      const auto nearest = left_.nearest(scan_.left[k], cell);
+      if (nearest && std::binary_search(some.begin(), some.end(), nearest->index)) all.push_back(k);
+    }
+    return all;
+  }
+
+  // All points() that are joined to the one at `first`, ascending; nothing where something else
+  // holds it, or where it is more than the spool: a heap, a wall of clutter.
   std::optional<std::vector<std::uint32_t>> from(std::uint32_t first, const Watch& watch) {
-    std::vector<std::uint32_t> points(1, first);
+    std::vector<std::uint32_t> points(1, first), at_spool;
     std::vector<Neighbour> near;
     is_met_[first] = 1;
     bool is_free = true;
     for (std::size_t at = 0; at < points.size() && !watch.cancelled(); ++at) {
-      const Eigen::Vector3f& p = scan_.left[points[at]];
-      is_free = is_free && points.size() < scan_.object.size() && !touches_plane(p);
+      const Eigen::Vector3f& p = points_[points[at]];
+      is_free = is_free && points.size() < most_ && !touches_plane(p);
       left_.within(p, step_m_, near);
       for (const Neighbour& n : near) {
         if (is_met_[n.index] != 0) continue;
         is_met_[n.index] = 1;
-        points.push_back(n.index);
+        (is_at_spool_[n.index] != 0 ? at_spool : points).push_back(n.index);
       }
     }
+    points.insert(points.end(), at_spool.begin(), at_spool.end());
     if (!is_free || watch.cancelled()) return std::nullopt;
     std::sort(points.begin(), points.end());
     return points;
@@ -66,7 +120,10 @@ class Growth {
 
   const UnexpectedScan& scan_;
   float step_m_;
-  PointIndex left_;
+  std::vector<Eigen::Vector3f> points_;
+  std::size_t most_;  // as many would the spool have
+  PointIndex left_;   // over points_
+  std::vector<std::uint8_t> is_at_spool_;
   std::vector<std::uint8_t> is_met_;
 };
 
@@ -79,7 +136,9 @@ bool is_a_stand(const Eigen::Vector3f& first, const Eigen::Vector3f& farthest, d
     const float distance = plane.distance(farthest);
     if (!plane.patch.is_near(farthest - distance * plane.normal)) return false;  // past its edge
     const bool points_at_it = -along.dot(plane.normal) * std::copysign(1.0F, distance) > kStraight;
-    return double{std::abs(distance)} < (points_at_it ? kStraightWay : kOfTheWay) * reach_m;
+    const double left = double{std::abs(distance)};
+    const double comes_nearer = double{std::abs(plane.distance(first))} - left;
+    return left < (points_at_it ? kStraightWay * reach_m : kOfTheWay * comes_nearer);
   });
 }
 
@@ -94,7 +153,7 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
   if (watch.cancelled()) return found;
   // As dense as the spool's own points, and no denser than noise lets be told.
   const double step = kJoined * vouching_radius(object, object_points, 5 * scan.noise_m);
-  Growth growth(scan, step, watch);
+  Growth growth(scan, object, step, watch);
   // Where the floor is not in the scan: what ends where other things end.
   const auto stands_on_ground = [&](const std::vector<std::uint32_t>& points,
                                     const Eigen::Vector3f& first, const Eigen::Vector3f& last) {
@@ -107,16 +166,18 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
         ground(all, others, (last - first).normalized(), design.bounds().diagonal().norm(), band);
     return floor && double{floor->distance(last)} < 2 * band;
   };
-  for (std::uint32_t i = 0; i < scan.left.size() && !watch.cancelled(); ++i) {
-    if (growth.is_met(i) || !object.nearest(scan.left[i], static_cast<float>(step))) continue;
-    std::optional<std::vector<std::uint32_t>> points = growth.from(i, watch);
+  const std::vector<Eigen::Vector3f>& left = growth.points();
+  for (const std::uint32_t i : growth.starts(watch)) {
+    if (watch.cancelled()) return {};
+    if (growth.is_met(i)) continue;
+    const std::optional<std::vector<std::uint32_t>> points = growth.from(i, watch);
     if (!points || points->size() < kLeastPoints) continue;
     Unexpected it;
     std::map<std::int32_t, std::size_t> touched;
-    Eigen::Vector3f farthest = scan.left[i], nearest_joined = scan.left[i];
+    Eigen::Vector3f farthest = left[i], nearest_joined = left[i];
     double least = kFarthest;
     for (const std::uint32_t at : *points) {
-      const Eigen::Vector3f& p = scan.left[at];
+      const Eigen::Vector3f& p = left[at];
       if (const auto n = object.nearest(p, static_cast<float>(step)))
         ++touched[scan.object_part[n->index]];
       const auto nearest = surface.closest(p, static_cast<float>(kFarthest));
@@ -133,13 +194,14 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
     const auto most =
         std::max_element(touched.begin(), touched.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most == touched.end()) continue;  // what joins it was another's
     it.part = most->first;
     if (it.reach_m < kLeastReach || it.reach_m >= kFarthest ||
         is_a_stand(nearest_joined, farthest, it.reach_m, scan.planes) ||
-        design.parts[static_cast<std::size_t>(it.part)].kind == PartKind::kSupport ||
-        stands_on_ground(*points, nearest_joined, farthest))
+        design.parts[static_cast<std::size_t>(it.part)].kind == PartKind::kSupport)
       continue;
-    it.points = std::move(*points);
+    it.points = growth.all_of(*points);
+    if (stands_on_ground(it.points, nearest_joined, farthest)) continue;
     found.push_back(std::move(it));
   }
   return found;

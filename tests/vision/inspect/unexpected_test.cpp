@@ -71,8 +71,12 @@ TEST_P(BranchTooMany, IsFoundOnItsPart) {
 
 INSTANTIATE_TEST_SUITE_P(Directions, BranchTooMany,
                          testing::Values(Rod{{-0.03, 0, 0.6}, -Vector3d::UnitX(), 0.02, 0.25},
-                                         Rod{{0.03, 0, 0.5}, Vector3d::UnitX(), 0.02, 0.12}),
-                         [](const auto& row) { return row.index == 0 ? "back" : "ahead"; });
+                                         Rod{{0.03, 0, 0.5}, Vector3d::UnitX(), 0.02, 0.12},
+                                         // Level, and nearer to the floor than half of its reach.
+                                         Rod{{-0.03, 0, 0.04}, -Vector3d::UnitX(), 0.02, 0.5}),
+                         [](const auto& row) {
+                           return row.index == 0 ? "back" : row.index == 1 ? "ahead" : "low";
+                         });
 
 TEST(Unexpected, IsNotWhatHoldsTheSpoolUp) {
   // A jack under the arm, from the floor; and one of which the scanner saw the upper half.
@@ -83,6 +87,15 @@ TEST(Unexpected, IsNotWhatHoldsTheSpoolUp) {
     EXPECT_TRUE(
         unexpected_with({{{0.3, 0, 0.35}, Vector3d::UnitZ(), 0.025, 0.415}}, floor).empty());
   }
+}
+
+// Both are joined to the riser, and there to each other.
+TEST(Unexpected, IsNotHeldByAStandBesideIt) {
+  const Rod stand{{0, -0.055, -0.2}, Vector3d::UnitZ(), 0.025, 0.45};
+  const Rod branch{{-0.03, 0, 0.1}, -Vector3d::UnitX(), 0.025, 0.25};
+  const auto found = unexpected_with({stand, branch});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].reach_m, 0.25, 0.03);
 }
 
 TEST(Unexpected, IsNotWhatOnlyLiesNear) {
