@@ -26,8 +26,7 @@ TextureHandle upload(const Texels<T>& texels, const Format& as) {
   glBindTexture(GL_TEXTURE_3D, texture.id());
   glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, as.filter);
   glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, as.filter);
-  for (const GLenum axis : kAxes)
-    glTexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
+  for (const GLenum axis : kAxes) glTexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   const auto& [width, height, depth] = texels.size;
   glTexImage3D(GL_TEXTURE_3D, 0, as.internal, width, height, depth, 0, as.format, as.type,
