@@ -41,6 +41,14 @@ void Coverage::tell(VisionState& state, const Matrix6d& covariance) {
   const Eigen::Matrix3d& axes = state.T_design_camera.linear();
   const auto look = next_.best(state.T_design_camera.translation(), axes.col(2), axes.col(1));
   out.advice = adviser_.advise(state, readings_, look);
+  const DesignModel& model = design_->model;
+  if (adviser_.trouble() != LookTrouble::kNone || model.datums.empty()) return;
+  const int datum = model.datums.front();
+  if (out.parts[static_cast<std::size_t>(datum)].is_seen) return;
+  // Else every number carries what the joints from there on may be off by.
+  out.advice = {"Look at " + model.parts[static_cast<std::size_t>(datum)].name +
+                    " too: all is measured from it.",
+                datum, std::nullopt};
 }
 
 }  // namespace spool

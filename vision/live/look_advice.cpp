@@ -20,7 +20,8 @@ constexpr double kFewLeft = 0.2, kManyLeft = 0.4;
 constexpr double kBefore_m = 0.01;  // and three standard deviations: something is in front
 // Within so little a PrimeSense measures nothing, beyond so much hardly anything.
 constexpr double kNearest_m = 0.45, kFarthest_m = 3.5;
-constexpr double kLooks = 30;  // frames, each from a new place: a second's
+// Frames, each from a new place: if a second's do not make a patch known, something is wrong.
+constexpr double kLooks = 30;
 
 constexpr std::array<std::string_view, kLookTroubles> kWords = {
     "",
@@ -88,8 +89,9 @@ std::optional<LookTrouble> LookAdviser::trouble_of(const VisionState& state,
       p_camera.z() - static_cast<double>(*std::ranges::max_element(depths)) * camera_.depth_unit_m;
   if (before > kBefore_m + 3 * noise_.axial_m(p_camera.z())) return LookTrouble::kHidden;
   const double look_m2 = readings.variance_of_a_look(k, state.T_design_camera.translation());
-  if (readings.smear_m2(k) > look_m2) return LookTrouble::kTooFast;
-  if (look_m2 > kLooks * kKnownSigma_m * kKnownSigma_m) return LookTrouble::kTooFar;
+  constexpr double kEnough_m2 = kLooks * kKnownSigma_m * kKnownSigma_m;
+  if (look_m2 > kEnough_m2) return LookTrouble::kTooFar;
+  if (look_m2 + readings.smear_m2(k) > kEnough_m2) return LookTrouble::kTooFast;
   return readings.is_spent(k) ? LookTrouble::kTooStill : LookTrouble::kNone;
 }
 

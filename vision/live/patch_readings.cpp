@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
-#include "vision/align/weak_directions.h"
+#include "vision/core/parallel.h"
 
 namespace spool {
 namespace {
@@ -15,10 +16,11 @@ namespace {
 constexpr float kTukey = 4.685F;      // standard deviations (Holland & Welsch 1977)
 constexpr float kLeastAlike = 0.7F;   // cosine between a reading's normal and the surface's
 constexpr float kLeastFacing = 0.2F;  // flatter to the sight than 78 degrees the model means little
-constexpr std::size_t kFewest = 3;    // readings of a patch in a frame; fewer have no median
-constexpr double kChance = 3;         // standard deviations
-constexpr double kGap_s = 0.5;        // what reads otherwise and is gone for so long begins anew
-constexpr int kFewestLooks = 5;       // of what reads otherwise
+constexpr std::uint32_t kNoPatch = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kFewest = 3;  // readings of a patch in a frame; fewer have no median
+constexpr double kChance = 3;       // standard deviations
+constexpr double kGap_s = 0.5;      // what reads otherwise and is gone for so long begins anew
+constexpr int kFewestLooks = 5;     // of what reads otherwise
 // Within so wide an angle of the camera's ray, and of the projector's 75 mm beside it, a patch is
 // seen by the same pixels and dots (ARCHITECTURE, The sensor).
 constexpr float kWindowRad = 8.0F / 575;
@@ -77,7 +79,6 @@ void PatchReadings::sort_readings(const VisionState& state) {
   const std::size_t step = near / options_.most + 1;
   worth_ = std::max(1.0, correlated_ / static_cast<double>(step));
   readings_.clear();
-  first_.assign(kept_.size() + 1, 0);
   const bool has_normals = state.scan_design.has_normals();
   std::size_t met = 0;
   for (std::size_t i = 0; i < deviations.part.size(); ++i) {
@@ -87,12 +88,21 @@ void PatchReadings::sort_readings(const VisionState& state) {
     if (has_normals && state.scan_design.normals[i].dot(n) < kLeastAlike) continue;
     const float facing = n.dot((eye - p).normalized());
     if (facing < kLeastFacing) continue;
-    const auto patch = patches_->at(p - deviations.distance_m[i] * n, n);
-    if (!patch || patches_->all()[*patch].part != deviations.part[i]) continue;
-    readings_.push_back(
-        {*patch, static_cast<std::uint32_t>(i), noise_.variance(state.scan.points[i].z(), facing)});
-    ++first_[*patch + 1];
+    readings_.push_back({kNoPatch, static_cast<std::uint32_t>(i),
+                         noise_.variance(state.scan.points[i].z(), facing)});
   }
+  parallel_chunks(readings_.size(), 512, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      const std::uint32_t i = readings_[r].point;
+      const Eigen::Vector3f& n = deviations.normal[i];
+      const auto patch =
+          patches_->at(state.scan_design.points[i] - deviations.distance_m[i] * n, n);
+      if (patch && patches_->all()[*patch].part == deviations.part[i]) readings_[r].patch = *patch;
+    }
+  });
+  first_.assign(kept_.size() + 1, 0);
+  std::erase_if(readings_, [](const Reading& reading) { return reading.patch == kNoPatch; });
+  for (const Reading& reading : readings_) ++first_[reading.patch + 1];
   for (std::size_t k = 0; k < kept_.size(); ++k) first_[k + 1] += first_[k];
   sorted_.resize(readings_.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);

@@ -31,7 +31,7 @@ VisionState placed_state(const Pose& T_true, const Pose& T_said, int index,
 }
 
 Pose walking(int index) {
-  return T_design_camera(0.3 * std::sin(0.12 * index), 0.05 * std::sin(0.3 * index));
+  return T_design_camera(0.3 * std::sin(0.06 * index), 0.05 * std::sin(0.15 * index));
 }
 
 }  // namespace spool::test

@@ -24,7 +24,7 @@ using ChangeFrame = std::function<void(DepthFrame&)>;
 [[nodiscard]] VisionState placed_state(const Pose& T_true, const Pose& T_said, int index,
                                        const ChangeFrame& change = {});
 
-// A camera that walks about the bracket, some two degrees a frame, always above it.
+// A camera that walks about the bracket, a degree and 15 mm a frame, always above it.
 [[nodiscard]] Pose walking(int index);
 
 }  // namespace spool::test
