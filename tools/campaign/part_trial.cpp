@@ -29,6 +29,25 @@ Pose some_motion(double length_m, double angle_rad, const Vector3d& centre, Rand
   return motion;
 }
 
+// Parts of which a frame shows more than a speck; not the first, which is the datum.
+std::vector<std::uint16_t> seen_parts(const RayWorld& world, const HandheldSettings& settings,
+                                      const Pose& T_scan_camera) {
+  constexpr int kStep = 8, kSpeck = 20;  // px, rays
+  std::map<std::uint16_t, int> hits;
+  for (int v = 0; v < settings.height; v += kStep)
+    for (int u = 0; u < settings.width; u += kStep) {
+      const Vector3d ray = (T_scan_camera.linear() * settings.ray(u, v)).normalized();
+      const auto hit = world.cast(T_scan_camera.translation(), ray, settings.farthest_m);
+      if (!hit) continue;
+      const Placed& placed = world.placed()[hit->placed];
+      if (placed.instance != kNoInstance && placed.label != 0) ++hits[placed.label];
+    }
+  std::vector<std::uint16_t> parts;
+  for (const auto& [label, count] : hits)
+    if (count > kSpeck) parts.push_back(label);
+  return parts;
+}
+
 // How far each part's surface is displaced, where frames saw it.
 class Truth {
  public:
@@ -99,12 +118,17 @@ Result<std::vector<TriedPart>> run_part(const PartRow& row, std::uint32_t seed) 
   if (!design) return design.error();
   const std::vector<Part>& parts = (*design)->model.parts;
   Random random(seed, kBumping);
-  // Not the first: it is the datum.
-  const auto off = static_cast<std::uint16_t>(
-      1 + random.below(static_cast<int>(room.scene.design.members.size()) - 1));
   std::vector<Placed> moved = room.placed;
-  Eigen::AlignedBox3d box;
   const RayWorld as_drawn(room.placed);
+  HandheldSettings settings;
+  settings.pixel_step = 2;  // a frame of 640x480 is thinned as much
+  const HandMotion hand(as_drawn, room.object, row.hand, seed);
+  const std::vector<std::uint16_t> seen = seen_parts(as_drawn, settings, hand.T_scan_camera(0));
+  if (seen.empty())
+    return Error{ErrorCode::kBadInput, row.name + ": the first frame does not show the object"};
+  const std::uint16_t off =
+      seen[static_cast<std::size_t>(random.below(static_cast<int>(seen.size())))];
+  Eigen::AlignedBox3d box;
   for (std::uint32_t i = 0; i < moved.size(); ++i)
     if (moved[i].instance != kNoInstance && moved[i].label == off) box.extend(as_drawn.box(i));
   const Pose motion = some_motion(row.off_m, row.off_rad, box.center(), random);
@@ -114,9 +138,6 @@ Result<std::vector<TriedPart>> run_part(const PartRow& row, std::uint32_t seed) 
   const RayWorld as_built(std::move(moved));
   Truth truth(as_drawn, as_built, motion, off);
 
-  HandheldSettings settings;
-  settings.pixel_step = 2;  // a frame of 640x480 is thinned as much
-  const HandMotion hand(as_built, room.object, row.hand, seed);
   Pose T_design_scan = room.scene.objects.front().T_scan_design.inverse();
   T_design_scan.pretranslate(-(*design)->model.origin);
   FrameProcessor vision(*design, camera_of(settings), NoiseModel{}, {.stride_px = 1});
