@@ -151,10 +151,6 @@ class VisionSoak {
 }  // namespace
 
 Result<int> soak_vision(const SoakRequest& request) {
-  auto model = read_design(request.design);
-  if (!model) return model.error();
-  const auto design = PreparedDesign::prepare(*std::move(model), 1, true);
-  if (!design) return design.error();
   std::optional<LongRecording> recording;
   std::string source_text = request.source;
   if (sensor::is_recording_path(request.source)) {
@@ -165,6 +161,10 @@ Result<int> soak_vision(const SoakRequest& request) {
   }
   auto source = sensor::open_source(source_text, {.speed = request.real_time ? 1.0 : 0.0});
   if (!source) return source.error();
+  auto model = read_design(request.design);
+  if (!model) return model.error();
+  const auto design = PreparedDesign::prepare(*std::move(model), 1, true);
+  if (!design) return design.error();
   VisionSoak soak(*design, (*source)->camera(), request);
   for (bool goes_on = true; goes_on && !*request.stop;) {
     const auto output = (*source)->next(std::chrono::milliseconds(100));

@@ -136,10 +136,10 @@ TEST(AnyFrames, ThatMeanNothingHaveAStatedQualityAndAreGotOver) {
   }
 }
 
-TEST(AnyFrames, OfNothingBeforeAnAlignmentAreShownWithoutNumbers) {
-  Following following;
-  for (const std::uint16_t counts : std::initializer_list<std::uint16_t>{0, 900, 65535}) {
+TEST(AnyFrames, OfNothingBearNoAlignment) {
+  for (const std::uint16_t counts : std::initializer_list<std::uint16_t>{0, 65535}) {
     SCOPED_TRACE(counts);
+    Following following;
     const auto held = following.show(following.depth(counts), 0);
     EXPECT_EQ(held->quality, TrackQuality::kUnaligned);
     const auto state = following.vision.align(*held, by_hand(0));
@@ -147,6 +147,16 @@ TEST(AnyFrames, OfNothingBeforeAnAlignmentAreShownWithoutNumbers) {
     EXPECT_FALSE(state->hint.empty());
     EXPECT_TRUE(state->scan_design.empty());
   }
+}
+
+// Who picks a bare wall for the flat of the bracket is told that it is unsure, and stays so.
+TEST(AnyFrames, OfABareWallAreNeverGood) {
+  Following following;
+  const auto held = following.show(following.depth(900), 0);
+  EXPECT_EQ(held->camera, PoseQuality::kLost) << "no map is begun on a wall";
+  const auto aligned = following.vision.align(*held, by_hand(0));
+  expect_stated(*aligned);
+  for (int i = 1; i < 8; ++i) expect_stated(*following.show(following.depth(900), i / 30.0));
 }
 
 TEST(AnyFrames, MayBearAClockThatGoesBackOrNowhere) {
