@@ -128,10 +128,10 @@ bool sides_hold(const std::array<Distances, 2>& of_side, const Sides& sides) {
   return true;
 }
 
-// The most that the lesser of two interpolated distances is off by in the middles of cells that
-// come within the band.
+// The most that the lesser of two interpolated distances is off by in the middles of cells: as it
+// counts, DistanceBrick::error_m.
 float error_of(const Distances& own, const Distances& other, const BrickMiddles& middles,
-               float reach_m) {
+               float spacing_m, const BrickLimits& limits) {
   float worst = 0;
   std::size_t middle = 0;
   for (std::size_t z = 0; z < kBrickCells; ++z)
@@ -145,8 +145,12 @@ float error_of(const Distances& own, const Distances& other, const BrickMiddles&
           b += other[corner] / 8;
         }
         const float found = lesser(a, b);
-        if (std::min(std::abs(exact), std::abs(found)) <= reach_m)
-          worst = std::max(worst, std::abs(found - exact));
+        // The cell comes so near to the surface.
+        const float nearest =
+            std::min(std::abs(exact), std::abs(found)) - kHalfDiagonal * spacing_m;
+        if (nearest > limits.band_m) continue;
+        const float counts = nearest > limits.near_m ? 1 / kFurtherOff : 1.0F;
+        worst = std::max(worst, counts * std::abs(found - exact));
       }
   return worst;
 }
@@ -168,12 +172,11 @@ DistanceBrick make_plain_brick(const BrickTexels& texels) {
 }
 
 DistanceBrick make_brick(const BrickTexels& texels, const BrickMiddles& middles, float spacing_m,
-                         float band_m, float tolerance_m) {
+                         const BrickLimits& limits) {
   Distances whole{};
   for (std::size_t i = 0; i < kTexels; ++i) whole[i] = texels[i].distance_m;
-  const float reach_m = band_m + 0.8661F * spacing_m;  // half a cell's diagonal
-  const float error_m = error_of(whole, whole, middles, reach_m);
-  if (error_m <= tolerance_m) return packed(whole, whole, error_m);
+  const float error_m = error_of(whole, whole, middles, spacing_m, limits);
+  if (error_m <= limits.tolerance_m) return packed(whole, whole, error_m);
 
   const Sides sides = tell_apart(texels);
   if (std::count(sides.begin(), sides.end(), sides[0]) == kTexels)
@@ -187,7 +190,7 @@ DistanceBrick make_brick(const BrickTexels& texels, const BrickMiddles& middles,
       if (std::abs(side[i]) < std::abs(whole[i]))
         side[i] = side[i] * whole[i] > 0 ? whole[i] : -1.01F * whole[i];
   if (!sides_hold(of_side, sides)) return packed(whole, whole, error_m);
-  const float error_of_two_m = error_of(of_side[0], of_side[1], middles, reach_m);
+  const float error_of_two_m = error_of(of_side[0], of_side[1], middles, spacing_m, limits);
   if (error_of_two_m < error_m) return packed(of_side[0], of_side[1], error_of_two_m);
   return packed(whole, whole, error_m);
 }

@@ -27,15 +27,27 @@ using BrickMiddles = std::array<DistanceSample, kBrickCells * kBrickCells * kBri
 
 struct DistanceBrick {
   std::array<std::array<Eigen::half, 2>, kBrickSide * kBrickSide * kBrickSide> texels;
-  float error_m = 0;  // the most that interpolation is off by in a cell's middle, within the band
+  // The most that interpolation is off by in a cell's middle; a kFurtherOff-th of it beyond near_m,
+  // nothing of it beyond band_m.
+  float error_m = 0;
 };
 
-// `spacing_m`: from texel to texel. One piece of surface where that is within `tolerance_m`, else
+// What a brick may be off by: `tolerance_m` within `near_m` of the surface, kFurtherOff times as
+// much up to `band_m`.
+struct BrickLimits {
+  float tolerance_m = 0;
+  float near_m = 0;
+  float band_m = 0;
+};
+inline constexpr float kFurtherOff = 5;
+inline constexpr float kHalfDiagonal = 0.8661F;  // of a cube of side 1, rounded up
+
+// `spacing_m`: from texel to texel. One piece of surface where that is within the limits, else
 // two if that is nearer: where the distance has a crease, the places on either side of it are told
 // apart by their gradients, and each side's distance is carried on over the crease along its
 // gradient. Pure.
 [[nodiscard]] DistanceBrick make_brick(const BrickTexels& texels, const BrickMiddles& middles,
-                                       float spacing_m, float band_m, float tolerance_m);
+                                       float spacing_m, const BrickLimits& limits);
 
 // One piece of surface, however far off it is. Pure.
 [[nodiscard]] DistanceBrick make_plain_brick(const BrickTexels& texels);

@@ -24,7 +24,6 @@ constexpr int kBricksASide = DistanceVolume::kLargestSide / DistanceVolume::kBri
 constexpr std::size_t kFineSide = 2 * kBrickSide - 1;  // texels of a brick divided
 using FineTexels = std::array<DistanceSample, kFineSide * kFineSide * kFineSide>;
 using Block = std::array<std::uint32_t, 8>;
-constexpr float kHalfDiagonal = 0.8661F;  // of a cube of side 1, rounded up
 
 struct Cube {
   Eigen::Vector3f lowest;  // m
@@ -41,11 +40,11 @@ Eigen::Vector3f steps(std::size_t x, std::size_t y, std::size_t z) {
   return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
 
-// Two pieces are never told apart where the surface itself passes between texels.
-bool holds_surface(const BrickTexels& texels) {
-  const auto is_outside = [](const DistanceSample& s) { return s.distance_m > 0; };
-  return std::any_of(texels.begin(), texels.end(), is_outside) &&
-         !std::all_of(texels.begin(), texels.end(), is_outside);
+// Whether the surface may pass between texels; two pieces are not told apart there.
+bool holds_surface(const BrickTexels& texels, float spacing_m) {
+  return std::any_of(texels.begin(), texels.end(), [&](const DistanceSample& sample) {
+    return std::abs(sample.distance_m) <= kHalfDiagonal * spacing_m;
+  });
 }
 
 class Builder {
@@ -300,6 +299,7 @@ std::optional<DistanceVolume> Builder::build(const Eigen::AlignedBox3d& bounds) 
   volume_.grid.data.assign(volume_.grid.place(0, 0, volume_.grid.size[2]), 0);
   spacing_m_ = volume_.cell_m / static_cast<float>(kBrickCells);
 
+  const BrickLimits limits{options_.tolerance_m, options_.near_m, options_.band_m};
   std::vector<Cube> cubes = first_cubes();
   while (!cubes.empty() && !watch_.cancelled()) {
     std::vector<BrickMiddles> middles(cubes.size());
@@ -307,13 +307,12 @@ std::optional<DistanceVolume> Builder::build(const Eigen::AlignedBox3d& bounds) 
     parallel_chunks(cubes.size(), 4, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c) {
         if (watch_.cancelled()) return;
-        if (is_finest() && holds_surface(cubes[c].texels)) {
+        if (is_finest() && holds_surface(cubes[c].texels, spacing_m_)) {
           bricks[c] = make_plain_brick(cubes[c].texels);
           continue;
         }
         measure(cubes[c], middles[c]);
-        bricks[c] = make_brick(cubes[c].texels, middles[c], spacing_m_, options_.band_m,
-                               options_.tolerance_m);
+        bricks[c] = make_brick(cubes[c].texels, middles[c], spacing_m_, limits);
       }
     });
     if (watch_.cancelled()) break;
