@@ -18,7 +18,7 @@ constexpr std::size_t kLeastPoints = 25;
 constexpr double kMostChance = 0.25;  // of the points on it, that clutter would put there
 constexpr double kSetBack = 0.02;     // m: so far from its end a pipe's surface is looked at
 constexpr std::size_t kCounterpartPoints = 400;
-constexpr double kJoinShown = 0.35;    // of what a piece hangs on, round the joint…
+constexpr double kJoinShown = 0.35;    // of what a piece hangs on, along the joint…
 constexpr float kRoundJoint = 4;       // …so many times what a tried motion may miss
 constexpr double kExcessShown = 0.75;  // of the length that is too much
 
@@ -154,10 +154,12 @@ bool ChainWeigher::is_joined(const ChainScan& scan, const ChainMotion& motion) c
   const JointBranch& joint = at == tree_.end() ? tree_[motion.branch] : *at;
   const auto rough_m = static_cast<float>(kRoughMotion * options_.size_m);
   std::vector<Eigen::Vector3f> surface, shown;
-  for (std::size_t s = 0; s < samples_.part.size(); ++s)
+  for (std::size_t s = 0; s < samples_.part.size(); ++s) {
+    const Eigen::Vector3f off = samples_.cloud.points[s] - joint.frame.point;
     if (samples_.part[s] == joint.part_near &&
-        (samples_.cloud.points[s] - joint.frame.point).norm() < kRoundJoint * rough_m)
+        std::abs(off.dot(joint.frame.outward)) < kRoundJoint * rough_m)
       surface.push_back(samples_.cloud.points[s]);
+  }
   if (surface.empty()) return true;
   for (std::size_t i = 0; i < scan.explained.size(); ++i)
     if (scan.explained_part[i] == joint.part_near) shown.push_back(scan.explained[i]);

@@ -82,7 +82,13 @@ TEST(NearExplained, IsWonByThePieceThatItLiesOn) {
     (p.z() < 0.8F ? explained : left).push_back(p);
     if (p.z() < 0.8F) part.push_back(p.z() < 0.6F ? 1 : 2);
   }
-  // The pipe that is too long.
+  const auto of_piece = static_cast<double>(explained.size());
+  // The pipe that is too long, as far as it should go and beyond.
+  const PointCloud pipe_points =
+      test::scan_of({pipe.rods[0]}, Pose::Identity(),
+                    {.points = 2000, .noise_m = kNoise, .with_ends = false}, random);
+  explained.insert(explained.end(), pipe_points.points.begin(), pipe_points.points.end());
+  part.resize(explained.size(), 0);
   const PointCloud excess =
       test::scan_of({{{0, 0, 0.5}, Vector3d::UnitZ(), 0.05, 0.08}}, Pose::Identity(),
                     {.points = 300, .noise_m = kNoise, .with_ends = false}, random);
@@ -100,7 +106,7 @@ TEST(NearExplained, IsWonByThePieceThatItLiesOn) {
     return weighed ? weighed->gain : 0.0;
   };
   EXPECT_GT(gain(1), 0.9 * static_cast<double>(left.size()));
-  EXPECT_GT(gain(0) - gain(1), 0.9 * static_cast<double>(explained.size()));
+  EXPECT_GT(gain(0) - gain(1), 0.9 * of_piece);
 }
 
 }  // namespace
