@@ -35,6 +35,15 @@ double count_readings(const DepthFrame& frame) {
 }
 }  // namespace
 
+bool is_blank(const DepthFrame& frame) {
+  std::uint16_t first = 0;
+  for (const std::uint16_t count : frame.depth) {
+    if (first == 0) first = count;
+    if (count != 0 && count != first) return false;
+  }
+  return true;
+}
+
 // The share of readings that is lost by chance in next to no picture, and not less than most.
 double DropoutWatch::limit() const {
   std::vector<double> changes(changes_.begin(), changes_.end());

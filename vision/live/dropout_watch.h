@@ -10,6 +10,9 @@
 
 namespace spool {
 
+// No picture of anything: no reading, or all of them one value. Even of a wall they differ.
+[[nodiscard]] bool is_blank(const DepthFrame& frame);
+
 // An arc that is struck blinds a structured-light sensor for tenths of a second. What is left of
 // such a picture says nothing of where the camera is, but the camera is where it was: better to
 // wait for a moment than to be lost. One thread at a time.

@@ -114,6 +114,7 @@ struct FrameProcessor::Impl {
 
   [[nodiscard]] Result<PointCloud> organised(const DepthFrame& frame) const;
   void wait(VisionState& state) const;
+  void see_nothing(VisionState& state) const;
   void follow_camera(const PointCloud& cloud, VisionState& state);
   void place_design(const PointCloud& cloud, VisionState& state, StageClock& clock);
   void show(const DesignFit& fit, VisionState& state);
@@ -144,6 +145,13 @@ void FrameProcessor::Impl::wait(VisionState& state) const {
   state.T_design_camera = T_last;
   if (alignment.is_set()) state.quality = TrackQuality::kPaused;
   state.hint = "Paused: the picture went out, hold still for a moment.";
+}
+
+// A fit to one value, which is a plane, would put some face of the design on it.
+void FrameProcessor::Impl::see_nothing(VisionState& state) const {
+  state.T_design_camera = T_last;
+  if (alignment.is_set()) state.quality = TrackQuality::kLost;
+  state.hint = "Nothing is seen: uncover the lens, or step back.";
 }
 
 // Where the camera stands in the scene, and how sure that is.
@@ -305,6 +313,10 @@ Result<VisionStatePtr> FrameProcessor::process(std::shared_ptr<const DepthFrame>
   state->stride_px = self.options.stride_px;
   if (self.dropout.is_out(*state->frame)) {
     self.wait(*state);
+    return VisionStatePtr(std::move(state));
+  }
+  if (is_blank(*state->frame)) {
+    self.see_nothing(*state);
     return VisionStatePtr(std::move(state));
   }
   StageClock clock(state->timing_s);
