@@ -1,16 +1,18 @@
 // How long the design's surface takes: 300 000 deviations against 100 000 triangles, building,
-// sampling.
+// sampling, its distances as a volume.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "vision/design/design_surface.h"
+#include "vision/design/distance_field.h"
 #include "vision/design/sampling.h"
 #include "vision/inspect/deviation.h"
 
@@ -98,6 +100,23 @@ void surface_over_100k_triangles(benchmark::State& state) {
   }
 }
 BENCHMARK(surface_over_100k_triangles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// Once a design, beside the start of the application.
+void distances_of_100k_triangles(benchmark::State& state) {
+  const DesignModel design = ring_design();
+  const Result<DesignSurface> surface = DesignSurface::build(design);
+  std::size_t bricks = 0;
+  for (auto _ : state) {
+    const auto volume = make_distance_field(*surface, design.bounds());
+    bricks = volume->brick_count();
+    benchmark::DoNotOptimize(volume);
+  }
+  state.SetLabel(std::to_string(bricks) + " bricks");
+}
+BENCHMARK(distances_of_100k_triangles)
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 
 void sampling_of_12000_points(benchmark::State& state) {
   const DesignModel design = ring_design();

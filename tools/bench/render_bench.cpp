@@ -1,4 +1,5 @@
-// Bench: one overlay frame at 1280x800, the whole depth frame's points or a quarter of them.
+// Bench: one overlay frame at 1280x800, the whole depth frame's points or a quarter of them,
+// coloured by the processor or by the graphics card.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
@@ -12,6 +13,8 @@
 
 #include "render/egl_context.h"
 #include "render/overlay.h"
+#include "vision/design/design_surface.h"
+#include "vision/design/distance_field.h"
 
 namespace spool::render {
 namespace {
@@ -109,6 +112,73 @@ BENCHMARK(overlay_frame)
     ->Args({2, 0, 0})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
+
+// What a depth camera sees of the ring and of a table under it, in counts of 0.1 mm.
+std::vector<std::uint16_t> ring_depth(const View& view) {
+  const Camera& camera = view.camera;
+  const Pose T_design_camera = view.T_camera_design.inverse();
+  std::vector<std::uint16_t> depth;
+  for (int v = 0; v < camera.height; ++v) {
+    for (int u = 0; u < camera.width; ++u) {
+      const Eigen::Vector3d ray = camera.back_project(u, v, 1);
+      double z = 0.1;
+      for (int step = 0; step < 60; ++step) {
+        const Eigen::Vector3d p = T_design_camera * Eigen::Vector3d(z * ray);
+        const double ring = std::hypot(p.head<2>().norm() - kRing, p.z()) - kTube;
+        z += std::min(ring, p.z() + 0.2) / ray.norm();
+        if (z > 5) break;
+      }
+      depth.push_back(static_cast<std::uint16_t>(z < 5 ? 1e4 * z : 0));
+    }
+  }
+  return depth;
+}
+
+// As many points coloured on the card, with a new depth image in every frame.
+void depth_frame(benchmark::State& state) {
+  const auto context = EglContext::surfaceless();
+  if (!context) {
+    state.SkipWithError(context.error().message.c_str());
+    return;
+  }
+  auto renderer = OverlayRenderer::create();
+  auto target = Offscreen::create(1280, 800);
+  if (!renderer || !target) {
+    state.SkipWithError((!renderer ? renderer.error() : target.error()).message.c_str());
+    return;
+  }
+  DesignModel design;
+  design.parts.resize(1);
+  design.mesh = make_mesh();
+  design.triangle_part.assign(design.mesh.triangles.size(), 0);
+  renderer->set_design(design.mesh, {});
+  const auto surface = DesignSurface::build(design);
+  if (!surface || !renderer->set_distances(*make_distance_field(*surface, design.bounds()))) {
+    state.SkipWithError("there is no volume");
+    return;
+  }
+  const Eigen::AlignedBox3d bounds(Eigen::Vector3d(-0.38, -0.38, -0.08),
+                                   Eigen::Vector3d(0.38, 0.38, 0.08));
+  const View view = view_of(bounds, {0.3, 0.5, -1}, Eigen::Vector3d::UnitY(), 1280, 800);
+  View sensor = view;
+  sensor.camera = camera_in_picture(view.camera, 640, 480);
+  sensor.camera.depth_unit_m = 0.0001;
+  const std::vector<std::uint16_t> depth = ring_depth(sensor);
+  const OverlayStyle style{};
+  for (auto _ : state) {
+    renderer->set_depth({.depth = depth,
+                         .camera = sensor.camera,
+                         .T_design_camera = sensor.T_camera_design.inverse(),
+                         .facing_beyond_m = 0.003,
+                         .facing_cosine = 0.17},
+                        true);
+    const Status status = renderer->draw(*target, view, style);
+    if (!status) state.SkipWithError(status.error().message.c_str());
+    finish_drawing();
+  }
+  state.SetLabel(gl_description());
+}
+BENCHMARK(depth_frame)->Name("render/depth_frame")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // The edges and normals of a design, once a design.
 void set_design(benchmark::State& state) {
