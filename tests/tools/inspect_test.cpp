@@ -156,6 +156,23 @@ TEST_F(Inspect, NamesAUnitThatItHadToInfer) {
   EXPECT_GE(run.report["warnings"].size(), 2U);
 }
 
+// Drawn in millimetres and taken for metres, or the other way round.
+TEST_F(Inspect, HintsAtTheUnitsWhereTheSizesAreAUnitApart) {
+  for (const bool is_design_wrong : {true, false}) {
+    const auto run = test::run_inspect(
+        {"--design", at("design.obj"), "--design-unit", is_design_wrong ? "mm" : "m", "--scan",
+         at("scan.ply"), "--scan-unit", is_design_wrong ? "m" : "mm", "--align", "find"},
+        folder_.path() / "out");
+    EXPECT_FALSE(run.report["alignment"]["found"]);
+    EXPECT_NE(run.report["warnings"].dump().find("check --scan-unit and --design-unit"),
+              std::string::npos)
+        << run.report["warnings"];
+  }
+  const auto run = test::run_inspect(words({"--align", "find"}), folder_.path() / "out");
+  EXPECT_EQ(run.report["warnings"].dump().find("check --scan-unit"), std::string::npos)
+      << run.report["warnings"];
+}
+
 TEST_F(Inspect, NamesDatumStandardCalibrationAndDisplayUnits) {
   std::ofstream(folder_.path() / "calibration.json")
       << R"({"calibration": {"id": "bar-1", "date": "2024-03-01", "scale_u": 0.001}})";
