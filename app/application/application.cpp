@@ -9,6 +9,7 @@
 #include <imgui.h>
 
 #include "app/application/picking.h"
+#include "app/sensor/frame_ring.h"
 #include "render/embedded_files.h"
 
 namespace spool {
@@ -106,8 +107,9 @@ void Application::take_notes() {
 
 std::optional<double> Application::advance() {
   VisionStatePtr next = feed_->poll();
-  const std::vector<TrackRow> rows = feed_->take_track();
-  if (in_.keep_poses) poses_.add(rows);
+  poses_.add(feed_->take_track());
+  // Those of the frames that may be saved are needed all the same.
+  if (!in_.keep_poses) poses_.keep_newest(sensor::FrameRingOptions{}.frames);
   take_notes();
   if (!next) return std::nullopt;
   const double before = state_ ? state_->frame->seconds : next->frame->seconds;

@@ -47,7 +47,8 @@ struct ApplicationInputs {
   std::string source_remark;  // what the fitter should know of it at once; may be empty
   double dots_per_inch = 160;
   int width = 1280, height = 800;  // px
-  bool keep_poses = true;          // of every frame, for poses(): memory that grows with the run
+  // Of every frame, for poses(): memory that grows with the run. Else of the last seconds only.
+  bool keep_poses = true;
   bool wait_for_jobs = false;  // each frame waits for its jobs: the same pictures on any machine
   // A graphics card draws: it colours every pixel of a frame. Not said: the driver is asked.
   std::optional<bool> has_graphics_card;

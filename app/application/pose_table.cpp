@@ -15,6 +15,10 @@ void PoseTable::add(const std::vector<TrackRow>& rows) {
   for (const TrackRow& row : rows) rows_[row.frame] = row;
 }
 
+void PoseTable::keep_newest(std::size_t count) {
+  while (rows_.size() > count) rows_.erase(rows_.begin());
+}
+
 PoseTable PoseTable::renumbered(std::span<const std::int64_t> frames) const {
   PoseTable out(origin_);
   for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -20,6 +21,8 @@ class PoseTable {
   // `origin`: the design's own (m); the file holds poses in the design file's coordinates.
   explicit PoseTable(const Eigen::Vector3d& origin) : origin_(origin) {}
   void add(const std::vector<TrackRow>& rows);
+  // Forgets all but the newest rows.
+  void keep_newest(std::size_t count);
   // The rows of these frames, by their place in the list.
   [[nodiscard]] PoseTable renumbered(std::span<const std::int64_t> frames) const;
   [[nodiscard]] std::string text() const;

@@ -1,6 +1,7 @@
 // Claims about TAPS.json, poses.csv and the thread that loses no job.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <fstream>
@@ -60,6 +61,16 @@ TEST(TapScript, RefusesWhatItCannotUseAndSaysHowToWriteIt) {
     EXPECT_EQ(script.error().code, ErrorCode::kBadInput);
     EXPECT_NE(script.error().message.find(row.words), std::string::npos) << script.error().message;
   }
+}
+
+TEST(PoseTable, KeepsTheNewestRows) {
+  PoseTable table(Eigen::Vector3d::Zero());
+  for (std::int64_t frame = 0; frame < 5; ++frame) table.add({{frame, 0.1, TrackQuality::kGood}});
+  table.keep_newest(2);
+  const std::string text = table.text();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 3) << text;
+  EXPECT_NE(text.find("\n3,"), std::string::npos) << text;
+  EXPECT_NE(text.find("\n4,"), std::string::npos) << text;
 }
 
 TEST(PoseTable, WritesOneRowAFrameInTheDesignFilesCoordinates) {

@@ -40,6 +40,7 @@ class PreparedFeed final : public Feed {
   std::optional<SensorNote> note() override { return std::nullopt; }
   std::vector<TrackRow> take_track() override { return {}; }
   void command(VisionCommand /*command*/) override { is_held_ = false; }
+  std::vector<sensor::PackedDepthPtr> last_frames() const override { return {}; }
   void pause(bool /*paused*/) override {}
 
  private:
@@ -76,8 +77,11 @@ VisionState measured(const test::SampleFiles& sample, std::size_t frame) {
   state.deviations = measure_deviations(state.scan_design, state.classes, surface, 0.03F);
   drop_turned_away(state.scan_design, state.T_design_camera.translation(), surface,
                    static_cast<float>(3 * state.point_noise_m), state.classes, state.deviations);
-  state.parts = summarise_parts(sample.prepared->model, state.scan_design, state.classes,
-                                state.deviations, sample.prepared->samples);
+  // One frame in place of many, and a doubt that is simply said.
+  for (const PartDeviation& part :
+       summarise_parts(sample.prepared->model, state.scan_design, state.classes, state.deviations,
+                       sample.prepared->samples))
+    state.coverage.parts.push_back({part.points > 0, part.mean_m, 0.0008, part.coverage});
   return state;
 }
 

@@ -77,7 +77,7 @@ void expect_stated(const VisionState& state) {
   EXPECT_TRUE(std::isfinite(state.pose_u_m) && std::isfinite(state.pose_u_rad));
   if (state.is_tracked()) return;
   EXPECT_TRUE(state.scan_design.empty());
-  EXPECT_TRUE(state.parts.empty());
+  EXPECT_TRUE(state.coverage.parts.empty());
 }
 
 TEST(AnyFrames, AreFollowedAtFiveAndAtNinetyASecond) {
