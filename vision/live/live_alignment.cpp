@@ -94,10 +94,8 @@ DesignFit LiveAlignment::fitted(const PointCloud& scan, const DepthFrame& frame,
   fit.agreement = agreement(frame, icp.T_design_scan, icp.rms_m);
   const bool in_sight = fit.agreement.seen >= options_.min_samples &&
                         fit.agreement.share_in_sight() >= options_.min_in_sight;
-  // Some face of any design can be laid on a wall: what the frame does not hold has to fit well.
-  const bool may_be_it = fit.is_held || fit.rms_m <= kNoises * fit.point_noise_m;
-  fit.is_believed = in_sight && may_be_it && icp.correspondences > 0 &&
-                    fit.agreement.share() >= options_.least_agreement;
+  fit.is_believed =
+      in_sight && icp.correspondences > 0 && fit.agreement.share() >= options_.least_agreement;
   if (!fit.is_believed)
     fit.hint = in_sight ? "The drawing does not fit what is seen there."
                         : "Too little of the spool is seen: point the camera at it.";
