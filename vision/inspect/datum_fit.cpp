@@ -16,9 +16,10 @@ namespace {
 constexpr float kTukey = 4.685F;          // standard deviations (Holland & Welsch 1977)
 constexpr float kLeastAlike = 0.7F;       // cosine between a reading's normal and the surface's
 constexpr double kContradiction = 16.81;  // chi-squared, 6 degrees of freedom, 1 %
-// A pose from picks or from a fit to everything may be off by as much as the prior says, and a
-// wrong part may hold it there: the gate starts as wide, and narrows by this factor a frame.
-constexpr double kSettling = 0.75;
+// A pose from picks or from a fit to everything may be off by as much as the prior says, and where
+// there are joints a wrong part may hold it there: the gate starts as wide, and narrows by this
+// factor a frame.
+constexpr double kSettling = 0.6;
 constexpr std::size_t kFewestOfAPart = 10;  // readings; fewer say nothing of its place
 
 // Of motions at `at` with these standard deviations, those along and about `free` not held.
@@ -60,12 +61,13 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
     : options_(options),
       allowance2_(design.parts.size(), 0.0F),
       prior_{information_of(design.bounds().center(), options.prior_m, options.prior_rad)},
-      settling_m_(options.prior_m),
+      settling_m_(0),
       own_(design.parts.size()),
       matches_(design.parts.size()) {
   if (design.datums.empty()) return;
   tree_ = joint_tree(design);
   root_ = design.datums.front();
+  if (!tree_.empty()) settling_m_ = options.prior_m;
   for (const JointBranch& branch : tree_) {
     // Breadth first, so the nearer part's allowance is known. A joint's angle tells at the far
     // part's middle.
@@ -81,7 +83,7 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
 void DatumFit::clear() {
   std::fill(own_.begin(), own_.end(), MotionKnowledge{});
   prior_.gradient.setZero();
-  settling_m_ = options_.prior_m;
+  settling_m_ = tree_.empty() ? 0 : options_.prior_m;
 }
 
 void DatumFit::add(const DatumReadings& readings) {
@@ -92,7 +94,7 @@ void DatumFit::add(const DatumReadings& readings) {
   settling_m_ *= kSettling;
   fade(options_.drift_m * options_.drift_m * std::max(0.0, readings.passed_s) +
        settling_m_ * settling_m_);
-  // Of what a look tells, as much as it lasts. The first reading after a while is one of its own.
+  // Of what a look tells, as much as it lasts. What comes after a while is a look of its own.
   const double fresh = std::min(1.0, readings.passed_s / options_.look_s);
 
   std::size_t near = 0;

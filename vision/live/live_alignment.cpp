@@ -191,8 +191,11 @@ void LiveAlignment::refine(const VisionState& state) {
     if (state.deviations.part[i] >= 0)
       variances[i] = reading_noise_.variance(state.scan.points[i], state.scan.normals[i]);
   const double now = state.frame->seconds;
+  constexpr double kWhile_s = 1;         // before the first there was a while without any
   constexpr double kFrame_s = 1.0 / 30;  // where no clock tells
-  const double passed = seconds_ && std::isfinite(now) ? std::max(0.0, now - *seconds_) : kFrame_s;
+  const double passed = !seconds_            ? kWhile_s
+                        : std::isfinite(now) ? std::max(0.0, now - *seconds_)
+                                             : kFrame_s;
   if (std::isfinite(now)) seconds_ = now;
   datum_.add({CloudView(state.scan_design), state.deviations, variances, correlated_, passed});
   known_ = datum_.solve();

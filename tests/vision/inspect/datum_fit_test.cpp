@@ -198,7 +198,7 @@ TEST(DatumFit, ForgetsWhatIsLongPast) {
   // The map has drifted by 4 mm since: a minute later the new readings are what counts.
   followed.scan = spool::moved(scan, test::moved({0.004, 0, 0}));
   followed.see(60);
-  followed.see_often(10);
+  followed.see_often(30);
   EXPECT_LT(datum_off(followed.T_design_scan, test::moved({-0.004, 0, 0})), 0.0005);
 }
 
