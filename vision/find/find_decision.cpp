@@ -84,8 +84,8 @@ bool is_more_than_two_pipes(const FinderModel& model, const PoseEvidence& pose) 
   const bool do_agree = runs.lengths >= kLeastAgreeing;
   // Of a design of one run or two there is no more to be had.
   if (model.runs.count < kLeastRuns)
-    return runs.in_sight == model.runs.count &&
-           (model.runs.count <= 1 || do_agree || is_nearly_half);
+    return is_nearly_half ||
+           (runs.in_sight == model.runs.count && (model.runs.count <= 1 || do_agree));
   return do_agree && is_nearly_half;
 }
 
