@@ -126,7 +126,7 @@ TEST_F(OverlayGolden, PatchesByTheirShape) {
     for (int x = 0; x < image.width; ++x)
       for (std::size_t i = 0; i < 3; ++i) {
         const Projected at = project(view_, middles[i]);
-        const bool is_near = std::abs(x - at.x) < 18 && std::abs(y - at.y) < 18;
+        const bool is_near = std::hypot(x - at.x, y - at.y) < 11;
         const bool is_drawn = image.pixel(x, y)[0] != bare.pixel(x, y)[0];
         covered[i] += is_near && is_drawn ? 1 : 0;
       }

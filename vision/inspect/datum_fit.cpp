@@ -13,13 +13,9 @@
 namespace spool {
 namespace {
 
-constexpr float kTukey = 4.685F;          // standard deviations (Holland & Welsch 1977)
-constexpr float kLeastAlike = 0.7F;       // cosine between a reading's normal and the surface's
-constexpr double kContradiction = 16.81;  // chi-squared, 6 degrees of freedom, 1 %
-// A pose from picks or from a fit to everything may be off by as much as the prior says, and where
-// there are joints a wrong part may hold it there: the gate starts as wide, and narrows by this
-// factor a frame.
-constexpr double kSettling = 0.6;
+constexpr float kTukey = 4.685F;            // standard deviations (Holland & Welsch 1977)
+constexpr float kLeastAlike = 0.7F;         // cosine between a reading's normal and the surface's
+constexpr double kContradiction = 16.81;    // chi-squared, 6 degrees of freedom, 1 %
 constexpr std::size_t kFewestOfAPart = 10;  // readings; fewer say nothing of its place
 
 // Of motions at `at` with these standard deviations, those along and about `free` not held.
@@ -61,13 +57,11 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
     : options_(options),
       allowance2_(design.parts.size(), 0.0F),
       prior_{information_of(design.bounds().center(), options.prior_m, options.prior_rad)},
-      settling_m_(0),
       own_(design.parts.size()),
       matches_(design.parts.size()) {
   if (design.datums.empty()) return;
   tree_ = joint_tree(design);
   root_ = design.datums.front();
-  if (!tree_.empty()) settling_m_ = options.prior_m;
   for (const JointBranch& branch : tree_) {
     // Breadth first, so the nearer part's allowance is known. A joint's angle tells at the far
     // part's middle.
@@ -83,17 +77,13 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
 void DatumFit::clear() {
   std::fill(own_.begin(), own_.end(), MotionKnowledge{});
   prior_.gradient.setZero();
-  settling_m_ = tree_.empty() ? 0 : options_.prior_m;
 }
 
 void DatumFit::add(const DatumReadings& readings) {
   const Deviations& deviations = readings.deviations;
   const std::size_t count = deviations.part.size();
   assert(readings.scan_design.points.size() == count && readings.variance_m2.size() == count);
-  // What was compared to the wrong places while the design settles is soon worth nothing.
-  settling_m_ *= kSettling;
-  fade(options_.drift_m * options_.drift_m * std::max(0.0, readings.passed_s) +
-       settling_m_ * settling_m_);
+  fade(options_.drift_m * options_.drift_m * std::max(0.0, readings.passed_s));
   // Of what a look tells, as much as it lasts. What comes after a while is a look of its own.
   const double fresh = std::min(1.0, readings.passed_s / options_.look_s);
 
@@ -110,7 +100,7 @@ void DatumFit::add(const DatumReadings& readings) {
     const float variance = readings.variance_m2[i];
     const float width2 =
         kTukey * kTukey * (variance + allowance2_[static_cast<std::size_t>(part)]) +
-        static_cast<float>(settling_m_ * settling_m_);
+        static_cast<float>(readings.wide_m * readings.wide_m);
     const float u2 = deviations.distance_m[i] * deviations.distance_m[i] / width2;
     if (!(u2 < 1)) continue;
     // Beyond an edge the nearest surface is not the one that was seen.
@@ -199,7 +189,8 @@ DatumEstimate DatumFit::solve() const {
     const double joint2 = options_.joint_m * options_.joint_m;
     const double own =
         tree_.empty() ? along_one_axis(all) : along_one_axis(own_[static_cast<std::size_t>(root_)]);
-    estimate.through_joints = 1 / (1 + own * joint2);
+    // A datum that was read at all shows whether it stands where its joints have it: squared.
+    estimate.through_joints = 1 / ((1 + own * joint2) * (1 + own * joint2));
   }
   all += prior_;
   const Eigen::LDLT<Matrix6d> solver(all.information);

@@ -41,6 +41,7 @@ struct DatumReadings {
   std::span<const float> variance_m2;  // along the surface's normal
   double correlated = 1;               // how many readings are worth one
   double passed_s = 0;                 // since the readings before
+  double wide_m = 0;                   // what the pose may be off by besides, of a new alignment
 };
 
 struct DatumEstimate {
@@ -93,7 +94,6 @@ class DatumFit {
   int root_ = 0;
   std::vector<float> allowance2_;  // m^2; of a part's place as built, one a part
   MotionKnowledge prior_;
-  double settling_m_;  // what the pose may be off by besides: of an alignment that is new
   std::vector<MotionKnowledge> own_;                  // one a part, at the design origin
   std::vector<std::vector<Correspondence>> matches_;  // scratch, one a part
 };

@@ -123,6 +123,7 @@ struct FrameProcessor::Impl {
   void measure(VisionState& state) const;
   [[nodiscard]] Matrix6d pose_covariance(const VisionState& state) const;
   void take_readings(const VisionState& state);
+  void settle(VisionState& state);
 };
 
 FrameProcessor::FrameProcessor(std::shared_ptr<const PreparedDesign> design, const Camera& camera,
@@ -195,6 +196,13 @@ void FrameProcessor::Impl::take_readings(const VisionState& state) {
   coverage.follow(alignment.T_design_map() * T_before.inverse());
 }
 
+// Of an alignment that is new: the datum's side decides, and the state is measured there.
+void FrameProcessor::Impl::settle(VisionState& state) {
+  alignment.settle(state, [this](VisionState& there) { measure(there); });
+  T_last = state.T_design_camera;
+  measure(state);
+}
+
 // What the pose may be off by at the camera: the camera's place in the scene, and the design's.
 void FrameProcessor::Impl::grade(VisionState& state) const {
   const Eigen::Vector3d& eye = state.T_design_camera.translation();
@@ -233,9 +241,13 @@ void FrameProcessor::Impl::place_design(const PointCloud& cloud, VisionState& st
     return;
   }
   show(place.fit, state);
-  measure(state);
+  if (place.was_moved) {
+    coverage.clear();
+    settle(state);
+  } else {
+    measure(state);
+  }
   clock.mark("deviation");
-  if (place.was_moved) coverage.clear();
   if (state.camera == PoseQuality::kGood && !place.is_doubtful) take_readings(state);
   grade(state);
   if (place.is_doubtful) {
@@ -367,7 +379,7 @@ VisionStatePtr FrameProcessor::align(const VisionState& held, const Pose& T_desi
   }
   self.alignment.set(state->T_design_camera * state->T_map_camera.inverse());
   self.coverage.clear();
-  self.measure(*state);
+  self.settle(*state);
   self.take_readings(*state);
   self.grade(*state);
   self.coverage.tell(*state, self.pose_covariance(*state));

@@ -4,6 +4,7 @@
 #include "vision/live/live_alignment.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -186,10 +187,6 @@ bool LiveAlignment::is_elsewhere(const DesignFit& there, const DesignFit& here) 
 }
 
 void LiveAlignment::refine(const VisionState& state) {
-  std::vector<float> variances(state.scan.size());
-  for (std::size_t i = 0; i < variances.size(); ++i)
-    if (state.deviations.part[i] >= 0)
-      variances[i] = reading_noise_.variance(state.scan.points[i], state.scan.normals[i]);
   const double now = state.frame->seconds;
   constexpr double kWhile_s = 1;         // before the first there was a while without any
   constexpr double kFrame_s = 1.0 / 30;  // where no clock tells
@@ -197,10 +194,33 @@ void LiveAlignment::refine(const VisionState& state) {
                         : std::isfinite(now) ? std::max(0.0, now - *seconds_)
                                              : kFrame_s;
   if (std::isfinite(now)) seconds_ = now;
-  datum_.add({CloudView(state.scan_design), state.deviations, variances, correlated_, passed});
+  take_in(state, passed, 0);
+}
+
+void LiveAlignment::take_in(const VisionState& state, double passed_s, double wide_m) {
+  std::vector<float> variances(state.scan.size());
+  for (std::size_t i = 0; i < variances.size(); ++i)
+    if (state.deviations.part[i] >= 0)
+      variances[i] = reading_noise_.variance(state.scan.points[i], state.scan.normals[i]);
+  datum_.add(
+      {CloudView(state.scan_design), state.deviations, variances, correlated_, passed_s, wide_m});
   known_ = datum_.solve();
   T_design_map_ = moved_about(Eigen::Vector3d::Zero(), known_.step, *T_design_map_);
   datum_.follow(known_.step);
+}
+
+void LiveAlignment::settle(VisionState& state, const std::function<void(VisionState&)>& measure) {
+  // As wide as picks and a wrong joint may put a part, then narrower as the pose gets better.
+  constexpr std::array<double, 6> kWide_m = {0.02, 0.012, 0.007, 0.004, 0.002, 0};
+  constexpr double kWhile_s = 1;
+  for (const double wide_m : kWide_m) {
+    state.T_design_camera = *T_design_map_ * state.T_map_camera;
+    measure(state);
+    datum_.clear();
+    take_in(state, kWhile_s, wide_m);
+  }
+  state.T_design_camera = *T_design_map_ * state.T_map_camera;
+  set(*T_design_map_);
 }
 
 bool LiveAlignment::is_settled(const Eigen::Vector3d& there, double allowed_m,

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,6 +87,10 @@ class LiveAlignment {
 
   // Takes in the readings of a placed state, whose deviations are measured.
   void refine(const VisionState& state);
+  // A new alignment may be held by a wrong part: a fit to everything follows what is most of the
+  // spool. Moves it to where the datum's side has it, by one state's readings, and forgets them.
+  // `measure` measures the state's deviations for a new T_design_camera.
+  void settle(VisionState& state, const std::function<void(VisionState&)>& measure);
 
  private:
   [[nodiscard]] DesignFit fitted(const PointCloud& scan, const DepthFrame& frame,
@@ -99,6 +104,7 @@ class LiveAlignment {
   [[nodiscard]] double apart_m(const Pose& a, const Pose& b) const;
   [[nodiscard]] bool is_elsewhere(const DesignFit& there, const DesignFit& here) const;
   [[nodiscard]] double noise_at(const Pose& T_camera_design) const;
+  void take_in(const VisionState& state, double passed_s, double wide_m);
 
   std::shared_ptr<const PreparedDesign> design_;
   Camera camera_;

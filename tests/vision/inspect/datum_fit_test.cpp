@@ -42,12 +42,13 @@ struct Followed {
   Followed(const DesignModel& design, PointCloud of, const DatumFitOptions& options = {})
       : fit(design, options), scan(std::move(of)) {}
 
-  void see(double passed_s = 0.03) {
+  // `wide_m`: as DatumReadings.
+  void see(double passed_s = 0.03, double wide_m = 0) {
     const PointCloud here = spool::moved(scan, T_design_scan);
     std::vector<PointClass> classes(here.size(), PointClass::kObject);
     const Deviations deviations = measure_deviations(here, classes, jointed().surface, 0.03F);
     const std::vector<float> variances(here.size(), kVariance);
-    fit.add({CloudView(here), deviations, variances, 1, passed_s});
+    fit.add({CloudView(here), deviations, variances, 1, passed_s, wide_m});
     last = fit.solve();
     T_design_scan = moved_about(Vector3d::Zero(), last.step, T_design_scan);
     fit.follow(last.step);
@@ -76,7 +77,7 @@ TEST(DatumFit, BringsAWholeSpoolHome) {
   const PointCloud scan = jointed().scan(jointed().as_designed(), kAll);
   const Pose off = a_little_off();
   Followed followed(jointed().design, spool::moved(scan, off));
-  followed.see_often(5);
+  followed.see_often(10);
   EXPECT_LT(datum_off(followed.T_design_scan, off.inverse()), 0.0003);
   for (const std::uint8_t counts : followed.last.counts) EXPECT_EQ(counts, 1);
   const double sigma = std::sqrt(followed.last.covariance.topLeftCorner<3, 3>().trace());
@@ -157,13 +158,17 @@ TEST(DatumFit, KnowsOfAStraightPipeNoMoreThanItShows) {
   EXPECT_LT(pose_size(followed.T_design_scan).translation_m, 0.001) << "nor slides";
 }
 
-// The start is what a fit to everything gives: on the arm and its tip, which are turned.
-TEST(DatumFit, SettlesOnTheDatumFromAPoseThatAWrongPartHolds) {
+// The start is what a fit to everything gives: on the arm and its tip, which are turned. Wide gates
+// first let the datum's side say so.
+TEST(DatumFit, LeavesAPoseThatAWrongPartHolds) {
   std::vector<Pose> built = jointed().as_designed();
   built[kArm] = built[kTip] = test::turned_about({0, 0, 0.8}, Vector3d::UnitZ(), 5);
   const Pose start = test::turned_about({0, 0, 0.8}, Vector3d::UnitZ(), -5);
   Followed followed(jointed().design, spool::moved(jointed().scan(built, kAll), start));
-  followed.see_often(40);
+  for (const double wide_m : {0.03, 0.02, 0.01, 0.005, 0.0}) {
+    followed.fit.clear();
+    followed.see(1, wide_m);
+  }
   EXPECT_LT(datum_off(followed.T_design_scan, start.inverse()), 0.0005);
   EXPECT_LT(pose_size(followed.T_design_scan * start).rotation_rad, 0.1 * kDegree);
 }
