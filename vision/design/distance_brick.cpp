@@ -155,31 +155,6 @@ float error_of(const Distances& own, const Distances& other, const BrickMiddles&
   return worst;
 }
 
-// The same of what is off anywhere between texels of one side: a third piece of surface may pass
-// where no middle is. What lies h from a texel is off its tangent by up to h^2/2R, interpolation
-// between the two by a quarter of that.
-float bend_of(const BrickTexels& texels, const std::array<Distances, 2>& of_side,
-              const Sides& sides, float spacing_m, const BrickLimits& limits) {
-  float worst = 0;
-  const std::array<std::size_t, 3> stride{1, kBrickSide, kBrickSide * kBrickSide};
-  for_texels([&](std::size_t here, std::size_t x, std::size_t y, std::size_t z) {
-    const DistanceSample& sample = texels[here];
-    const float nearest = std::abs(sample.distance_m) - spacing_m;
-    if (nearest > limits.band_m) return;
-    const float counts = (nearest > limits.near_m ? 1 / kFurtherOff : 1.0F) / 4;
-    const std::array<std::size_t, 3> place{x, y, z};
-    const Distances& own = of_side[sides[here]];
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float slope = spacing_m * sample.outward[static_cast<Eigen::Index>(axis)];
-      if (place[axis] + 1 < kBrickSide)
-        worst = std::max(worst, counts * std::abs(own[here + stride[axis]] - own[here] - slope));
-      if (place[axis] > 0)
-        worst = std::max(worst, counts * std::abs(own[here - stride[axis]] - own[here] + slope));
-    }
-  });
-  return worst;
-}
-
 DistanceBrick packed(const Distances& first, const Distances& second, float error_m) {
   DistanceBrick brick;
   for (std::size_t i = 0; i < kTexels; ++i)
@@ -215,9 +190,7 @@ DistanceBrick make_brick(const BrickTexels& texels, const BrickMiddles& middles,
       if (std::abs(side[i]) < std::abs(whole[i]))
         side[i] = side[i] * whole[i] > 0 ? whole[i] : -1.01F * whole[i];
   if (!sides_hold(of_side, sides)) return packed(whole, whole, error_m);
-  const float error_of_two_m =
-      std::max(error_of(of_side[0], of_side[1], middles, spacing_m, limits),
-               bend_of(texels, of_side, sides, spacing_m, limits));
+  const float error_of_two_m = error_of(of_side[0], of_side[1], middles, spacing_m, limits);
   if (error_of_two_m < error_m) return packed(of_side[0], of_side[1], error_of_two_m);
   return packed(whole, whole, error_m);
 }

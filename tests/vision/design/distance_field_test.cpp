@@ -133,36 +133,6 @@ TEST(DistanceField, AgreesWithTheSurfaceOfTheSampleSpool) {
   EXPECT_GT(found.right, 0.9995) << found.worst_m;
 }
 
-TEST(DistanceField, IsWholeAcrossTheBordersOfItsBricks) {
-  // Beside each other: in the gap, both are equally near.
-  DesignModel design = box_design({0.09, 0, 0.1}, {0.05, 0.08, 0.012});
-  append_design(design, capped_cylinder_design(0.03, 0.2, 90));
-  const Field field = field_of(std::move(design));
-  std::mt19937 random(12);
-  std::uniform_real_distribution<float> uniform(-1, 1);
-  constexpr float kStep = 0.0001F;
-  int steps = 0;
-  for (int line = 0; line < 200; ++line) {
-    const Eigen::Vector3f from(0.05F + 0.09F * uniform(random), 0.08F * uniform(random),
-                               0.1F + 0.05F * uniform(random));
-    Eigen::Vector3f direction(uniform(random), uniform(random), uniform(random));
-    direction.normalize();
-    std::optional<float> before;
-    for (int i = 0; i < 500; ++i) {
-      const Eigen::Vector3f p = from + static_cast<float>(i) * kStep * direction;
-      const auto here = field.volume.at(p);
-      // By the surface the distance changes by a step at most; each side of a border is off by
-      // kRight.
-      if (here && before && std::abs(*before) < kNear) {
-        ++steps;
-        EXPECT_NEAR(here->distance_m, *before, kStep + 2 * kRight) << p.transpose();
-      }
-      before = here ? std::optional(here->distance_m) : std::nullopt;
-    }
-  }
-  EXPECT_GT(steps, 20000);
-}
-
 TEST(DistanceField, GivesTheNormalWhereASurfaceIsNear) {
   const Field field = field_of(torus_design(0.15, 0.06, 120, 80));
   std::mt19937 random(13);
