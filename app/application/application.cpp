@@ -84,10 +84,11 @@ void Application::take_notes() {
     switch (note->kind) {
       case SensorNote::Kind::kUnplugged:
         unplugged_ = true;
+        replugged_ = false;
         lose_sensor();
         break;
       case SensorNote::Kind::kReplugged:
-        unplugged_ = false;
+        replugged_ = true;
         break;
       case SensorNote::Kind::kTrouble:
         trouble_ = *note;
@@ -107,6 +108,8 @@ void Application::take_notes() {
 
 std::optional<double> Application::advance() {
   VisionStatePtr next = feed_->poll();
+  // Until the first picture since then, what is known is of before the plug was pulled.
+  if (next && replugged_) unplugged_ = replugged_ = false;
   poses_.add(feed_->take_track());
   // Those of the frames that may be saved are needed all the same.
   if (!in_.keep_poses) poses_.keep_newest(sensor::FrameRingOptions{}.frames);

@@ -185,7 +185,7 @@ class Application {
   bool awaiting_alignment_ = false;
   AlignMethod asked_by_ = AlignMethod::kThreePoint;    // the pose that is awaited
   AlignMethod aligned_by_ = AlignMethod::kThreePoint;  // the pose that is believed
-  bool unplugged_ = false, ended_ = false;
+  bool unplugged_ = false, replugged_ = false, ended_ = false;
   SensorNote trouble_;  // the sensor's, as last told: kNone until then
   std::optional<Error> failure_;
   enum class ViewMode { kBoth, kScan, kDrawing, kSeen };  // kSeen: how well the drawing is known

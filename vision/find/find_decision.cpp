@@ -82,10 +82,15 @@ bool is_more_than_two_pipes(const FinderModel& model, const PoseEvidence& pose) 
   if (runs.in_sight >= kLeastRuns || pose.coverage >= kMostOfIt) return true;
   const bool is_nearly_half = pose.coverage >= kCoverageWithRival;
   const bool do_agree = runs.lengths >= kLeastAgreeing;
-  // Of a design of one run or two there is no more to be had.
-  if (model.runs.count < kLeastRuns)
-    return is_nearly_half ||
-           (runs.in_sight == model.runs.count && (model.runs.count <= 1 || do_agree));
+  // Of a design of one run or two there is no more to be had. Parts that no joints put in line, a
+  // plate and its peg, are no pipes.
+  if (model.runs.count < kLeastRuns) {
+    const bool are_lines =
+        std::any_of(model.runs.lines.begin(), model.runs.lines.end(),
+                    [](const RunLine& line) { return !line.direction.isZero(); });
+    if (runs.in_sight != model.runs.count) return !are_lines && is_nearly_half;
+    return model.runs.count <= 1 || do_agree || is_nearly_half;
+  }
   return do_agree && is_nearly_half;
 }
 

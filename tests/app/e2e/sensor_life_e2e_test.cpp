@@ -102,7 +102,9 @@ TEST(SensorLife, UnpluggedInTheMiddleOfTheWorkItGoesOnWhereItWas) {
   std::getline(rows, line);
   double frame = -1, seconds = -1;
   int good = 0;
+  std::string last;
   while (std::getline(rows, line)) {
+    last = line;
     double next_frame = 0, next_seconds = 0;
     ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf", &next_frame, &next_seconds), 2);
     EXPECT_GT(next_frame, frame);
@@ -111,7 +113,7 @@ TEST(SensorLife, UnpluggedInTheMiddleOfTheWorkItGoesOnWhereItWas) {
     seconds = next_seconds;
     good += line.find(",good,") != std::string::npos && seconds > kUnplugAt ? 1 : 0;
   }
-  EXPECT_GT(good, 0) << "the same alignment, after the plug was back";
+  EXPECT_GT(good, 0) << "the same alignment, after the plug was back; the last row: " << last;
 }
 
 }  // namespace
