@@ -223,6 +223,27 @@ void Application::fill_align(ui::ScreenState& out) const {
   if (!out.notice.empty() && !out.hint_is_warning) out.proposed = out.notice;
 }
 
+namespace {
+
+// Of each part's surface, the share that any frame showed. Without patches: what is known of it.
+std::vector<double> seen_shares(const CoverageState& coverage) {
+  std::vector<double> seen(coverage.parts.size(), 0), all(coverage.parts.size(), 0);
+  if (coverage.patches == nullptr) {
+    for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = coverage.parts[i].coverage;
+    return seen;
+  }
+  const std::vector<SurfacePatch>& patches = coverage.patches->all();
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const auto part = static_cast<std::size_t>(patches[k].part);
+    all[part] += double{patches[k].area_m2};
+    if (coverage.sight[k] != PatchSight::kNotSeen) seen[part] += double{patches[k].area_m2};
+  }
+  for (std::size_t i = 0; i < seen.size(); ++i) seen[i] = all[i] > 0 ? seen[i] / all[i] : 0;
+  return seen;
+}
+
+}  // namespace
+
 void Application::fill_work(ui::ScreenState& out) const {
   static constexpr const char* kViewWords[] = {"both", "scan", "drawing", "seen"};
   const VisionStatePtr& state = shown();
@@ -251,16 +272,17 @@ void Application::fill_work(ui::ScreenState& out) const {
   if (out.hint.empty()) out.hint = "Look where it matters, then press Check.";
   if (!out.measured) return;
   const std::vector<Part>& parts = in_.design->model.parts;
+  const std::vector<double> shares = seen_shares(state->coverage);
   for (std::size_t i = 0; i < state->coverage.parts.size(); ++i) {
     const PartReading& part = state->coverage.parts[i];
-    const bool seen = part.is_seen && part.coverage >= kSeenShare;
+    const bool seen = part.is_seen && shares[i] >= kSeenShare;
     ui::PartLine line;
     line.part = static_cast<int>(i);
     line.name = parts[i].name;
     line.status = seen ? ui::StatusMark::kSuspicious : ui::StatusMark::kNotMeasured;
     line.mean_mm = 1e3 * part.mean_m;
     line.u_mm = 1e3 * part.u_m;
-    line.coverage = part.coverage;
+    line.coverage = shares[i];
     out.parts.push_back(std::move(line));
   }
   std::stable_sort(out.parts.begin(), out.parts.end(),
