@@ -189,7 +189,8 @@ DatumEstimate DatumFit::solve() const {
     const double joint2 = options_.joint_m * options_.joint_m;
     const double own =
         tree_.empty() ? along_one_axis(all) : along_one_axis(own_[static_cast<std::size_t>(root_)]);
-    // A datum that was read at all shows whether it stands where its joints have it: squared.
+    // A datum that was read at all shows whether it stands where its joints have it. That it is the
+    // square is a choice: without it the sample's pose took 1.7 s to be good at 1.4 mm off.
     estimate.through_joints = 1 / ((1 + own * joint2) * (1 + own * joint2));
   }
   all += prior_;

@@ -24,12 +24,13 @@ struct DatumFitOptions {
   double prior_m = 0.02;
   double prior_rad = 0.05;
   // Standard deviation of what a part's readings of one look err by together, along the surface's
-  // normal: incidence, correlation windows, disparity steps (DOMAIN 6). Frames within `look_s` of
-  // each other are one look.
+  // normal: incidence, correlation windows, disparity steps. Frames within `look_s` of each other
+  // are one look. These and the drift were chosen by spoolsight-live-campaign, seeds 1 and 2 of the
+  // small spool, and not derived: on other seeds and sensors they are untried.
   double bias_m = 0.0001;
   double look_s = 0.3;
   // What the map may drift by in a second, m / sqrt(s): what is known of a part fades as fast as
-  // that makes it untrue.
+  // that makes it untrue. Chosen as the two above.
   double drift_m = 0.0001;
   std::size_t most_points = 6000;  // of a frame that are looked at, about
 };
@@ -55,14 +56,14 @@ struct DatumEstimate {
   // 0 to 1: how much of what is known of the datum's place came through its joints; 0: its own
   // readings tell.
   double through_joints = 1;
+  // One a part: it is where the datum and its joints let it be.
+  std::vector<std::uint8_t> counts;
 
   // What is stated of a pose: joints that look as drawn are, but of a datum that was not seen
   // itself nobody knows.
   [[nodiscard]] Matrix6d stated_covariance() const {
     return covariance_as_designed + through_joints * (covariance - covariance_as_designed);
   }
-  // One a part: it is where the datum and its joints let it be.
-  std::vector<std::uint8_t> counts;
 };
 
 // Belief propagation (Pearl 1988) on the tree of joints: each part's own readings hold it (point to
