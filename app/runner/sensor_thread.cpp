@@ -44,8 +44,13 @@ void SensorThread::run(const std::stop_token& stop) {
       tell({SensorNote::Kind::kFailed, output.error()});
       return;
     }
-    if (!can_wait && watch.see(*output, now_s()))
-      tell({SensorNote::Kind::kTrouble, {}, watch.trouble(), watch.words()});
+    if (!can_wait && watch.see(*output, now_s())) {
+      SensorNote note;
+      note.kind = SensorNote::Kind::kTrouble;
+      note.trouble = watch.trouble();
+      note.words = watch.words();
+      tell(std::move(note));
+    }
     switch (output->event) {
       case sensor::SourceEvent::kFrame:
         // Vision first: packing takes its time.

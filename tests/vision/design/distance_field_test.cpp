@@ -227,13 +227,12 @@ DistanceBrick brick_of(const std::function<DistanceSample(const Eigen::Vector3f&
   BrickMiddles middles;
   const auto fill = [&](auto& places, std::size_t side, float first) {
     std::size_t n = 0;
-    for (std::size_t z = 0; z < side; ++z)
-      for (std::size_t y = 0; y < side; ++y)
-        for (std::size_t x = 0; x < side; ++x)
-          places[n++] =
-              field(spacing_m * (Eigen::Vector3f(static_cast<float>(x), static_cast<float>(y),
-                                                 static_cast<float>(z)) +
-                                 Eigen::Vector3f::Constant(first)));
+    for (DistanceSample& place : places) {
+      const Eigen::Vector3f cell(static_cast<float>(n % side), static_cast<float>(n / side % side),
+                                 static_cast<float>(n / (side * side)));
+      place = field(spacing_m * (cell + Eigen::Vector3f::Constant(first)));
+      ++n;
+    }
   };
   fill(texels, kBrickSide, 0);
   fill(middles, kBrickCells, 0.5F);
