@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t kRefined = 16;     // motions looked at closely, each round
 constexpr double kLeastCoverage = 0.35;  // of the moved piece, by what is left of the scan…
 constexpr double kElsewhere = 0.6;       // …of one hung elsewhere: any like pipe lies elsewhere
-constexpr double kAlike = 0.97;          // this near in gain, the name decides
+constexpr double kAlike = 0.97;          // this near in gain, the name decides…
+constexpr double kFromTheJoint = 0.9;    // …and of what changed places, the joint where it did
 constexpr float kParallel = 0.9986F;     // cosine of three degrees
 constexpr double kInLine = 0.01;         // of the size
 
@@ -39,7 +40,8 @@ bool is_better(const WeighedMotion& one, const WeighedMotion& best,
   const std::size_t parts = tree[one.motion.branch].parts.size();
   const std::size_t best_parts = tree[best.motion.branch].parts.size();
   const bool is_meant = both_hang ? parts > best_parts : parts < best_parts;
-  return one.gain > (is_meant ? kAlike * best.gain : best.gain / kAlike);
+  const double alike = both_hang ? kFromTheJoint : kAlike;
+  return one.gain > (is_meant ? alike * best.gain : best.gain / alike);
 }
 
 // A joint in line with a motion's own: the same motion could have gone wrong there.

@@ -125,14 +125,19 @@ ChainWeigher::ChainWeigher(std::span<const JointBranch> tree, std::span<const Pi
 
 std::size_t ChainWeigher::least_points() const { return kLeastPoints; }
 
-std::size_t ChainWeigher::on_counterpart(const ChainMotion& motion,
-                                         std::span<const Eigen::Vector3f> points) const {
-  const JointBranch& branch = tree_[motion.branch];
+const JointBranch* ChainWeigher::counterpart(const ChainMotion& motion) const {
   const auto other = std::find_if(tree_.begin(), tree_.end(), [&](const JointBranch& each) {
     return each.joint == motion.hangs_at;
   });
-  if (!branch.turns || other == tree_.end() || points.empty()) return 0;
-  const PieceShape& shape = shapes_[static_cast<std::size_t>(other - tree_.begin())];
+  return other == tree_.end() ? nullptr : &*other;
+}
+
+std::size_t ChainWeigher::on_counterpart(const ChainMotion& motion,
+                                         std::span<const Eigen::Vector3f> points) const {
+  const JointBranch& branch = tree_[motion.branch];
+  const JointBranch* other = counterpart(motion);
+  if (!branch.turns || other == nullptr || points.empty()) return 0;
+  const PieceShape& shape = shapes_[static_cast<std::size_t>(other - tree_.data())];
   const double rough_m = kRoughMotion * options_.size_m;
   const OnSurface surface(shape.samples, options_.size_m, rough_m);
   const std::size_t step = points.size() / kCounterpartPoints + 1;
@@ -148,10 +153,8 @@ std::size_t ChainWeigher::on_counterpart(const ChainMotion& motion,
 }
 
 bool ChainWeigher::is_joined(const ChainScan& scan, const ChainMotion& motion) const {
-  const auto at = std::find_if(tree_.begin(), tree_.end(), [&](const JointBranch& each) {
-    return each.joint == motion.hangs_at;
-  });
-  const JointBranch& joint = at == tree_.end() ? tree_[motion.branch] : *at;
+  const JointBranch* at = counterpart(motion);
+  const JointBranch& joint = at == nullptr ? tree_[motion.branch] : *at;
   const auto rough_m = static_cast<float>(kRoughMotion * options_.size_m);
   std::vector<Eigen::Vector3f> surface, shown;
   for (std::size_t s = 0; s < samples_.part.size(); ++s) {
@@ -207,16 +210,21 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
     }
   }
   const auto won = static_cast<double>(on.size());
-  // What stays on it although it moves, as a pipe does that slides along itself; what lies on it
-  // and was taken for another part; what would lie on nothing any more. What lay only near the
+  // What stays on it although it moves, as a pipe does that slides along itself, or the first
+  // length of two branches that changed places; what lies on it and was taken for another part;
+  // what would lie on nothing any more. What lay only near the
   // design and lies on the piece is won, and costs nothing where it does not.
+  const JointBranch* other = counterpart(motion);
   for (std::uint32_t i = 0; i < scan.explained.size(); ++i) {
     const bool was_on = branch.holds(scan.explained_part[i]);
     const bool was_well = scan.is_well.empty() || scan.is_well[i] != 0;
     const Eigen::Vector3f p = T_piece_scan * scan.explained[i];
     if (surface.is_on(p)) {
       weighed.explained.push_back(i);
-      if (was_on) (was_well ? stays : on).push_back(p);
+      if (was_on)
+        (was_well ? stays : on).push_back(p);
+      else if (other != nullptr && other->holds(scan.explained_part[i]))
+        stays.push_back(p);
     } else {
       const bool is_excess = excess && excess->takes(scan.explained[i]);
       if (was_on && was_well && !is_excess) lost.push_back(scan.explained[i]);

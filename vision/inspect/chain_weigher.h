@@ -38,6 +38,9 @@ class ChainWeigher {
   [[nodiscard]] std::size_t least_points() const;
 
  private:
+  // What hangs, as designed, where this one is moved to; null where it is not hung elsewhere.
+  [[nodiscard]] const JointBranch* counterpart(const ChainMotion& motion) const;
+
   // How many of the points would lie on the branch that hangs where this one is moved to, were it
   // hung at this one's joint: two that changed places.
   [[nodiscard]] std::size_t on_counterpart(const ChainMotion& motion,

@@ -150,6 +150,21 @@ TEST(ChainPieces, NameBothBranchesThatChangedPlaces) {
   EXPECT_EQ(named, (std::vector<int>{kArm, kSide}));
 }
 
+// The foot is a plain pipe, as the first length of the side branch is: of that length, which most of
+// the branch is, the design explains what lies in either place.
+TEST(ChainPieces, NameABranchWhoseFirstLengthLiesOnTheOther) {
+  const JointFrame foot{{0, 0.03F, 0.1F}, Eigen::Vector3f::UnitY()};
+  const JointFrame side{{0, -0.03F, 0.4F}, -Eigen::Vector3f::UnitY()};
+  std::vector<Pose> built = jointed().as_designed();
+  built[kFoot] = hung_at(foot, side)[0].cast<double>();
+  built[kSide] = built[kEnd] = hung_at(side, foot)[4].cast<double>();
+  const Explanation explanation = explain(jointed().scan(built, kAll));
+  ASSERT_EQ(explanation.pieces.size(), 1U);
+  EXPECT_EQ(explanation.pieces[0].part, kSide);
+  EXPECT_EQ(explanation.pieces[0].fault, PieceFault::kExchanged);
+  EXPECT_LT(apart(explanation.pieces[0].motion, built[kEnd], kEnd), 0.004);
+}
+
 // The tip is missing, and what lies further out looks like it: nothing joins it to the arm.
 TEST(ChainPieces, AreNotTooFarOutWithNothingBetween) {
   std::vector<Pose> built = jointed().as_designed();
