@@ -12,6 +12,7 @@
 
 #include "vision/inspect/deviation.h"
 #include "vision/inspect/ground.h"
+#include "vision/inspect/steel_bar.h"
 #include "vision/scan/point_index.h"
 #include "vision/scan/thinning.h"
 
@@ -26,6 +27,13 @@ constexpr double kCell = 0.25;   // of what joins: closer points say no more of 
 // where it points straight at it (cosine of 15 degrees).
 constexpr double kOfTheWay = 0.5, kStraightWay = 2.0;
 constexpr float kStraight = 0.966F;
+// Cosines to a plane's normal of a bar that neither stands on it nor runs along it: of 30 and 65
+// degrees. Floor and table may meet it in the last part of its length alone.
+constexpr float kUpright = 0.866F, kLevel = 0.42F;
+constexpr float kEndOfBar = 0.5F;
+// m; a longer thing is part of the spool only where it is a bar that comes out of the steel: what
+// lies against it, or hangs together with what does, is seldom as short.
+constexpr double kOddReach = 0.4;
 constexpr double kFarthest = 2.0;  // m: no branch reaches further
 
 std::vector<Eigen::Vector3f> thinned(std::span<const Eigen::Vector3f> points, double cell_m,
@@ -37,7 +45,7 @@ std::vector<Eigen::Vector3f> thinned(std::span<const Eigen::Vector3f> points, do
   return some;
 }
 
-// Points joined to one another and to the spool, followed until they turn out to be held elsewhere.
+// Points joined to one another and to the spool.
 // What meets at the spool alone, as a branch and a stand beside it do, is not one thing. It looks
 // at one point of each cell, so that a scan of millions takes no longer than its surface is large.
 class Growth {
@@ -88,17 +96,16 @@ class Growth {
     return all;
   }
 
-  // All points() that are joined to the one at `first`, ascending; nothing where something else
-  // holds it, or where it is more than the spool: a heap, a wall of clutter.
+  // All points() that are joined to the one at `first`, ascending; nothing where it is more than
+  // the spool: a heap, a wall of clutter.
   std::optional<std::vector<std::uint32_t>> from(std::uint32_t first, const Watch& watch) {
     std::vector<std::uint32_t> points(1, first), at_spool;
     std::vector<Neighbour> near;
     is_met_[first] = 1;
-    bool is_free = true;
+    bool is_less = true;
     for (std::size_t at = 0; at < points.size() && !watch.cancelled(); ++at) {
-      const Eigen::Vector3f& p = points_[points[at]];
-      is_free = is_free && points.size() < most_ && !touches_plane(p);
-      left_.within(p, step_m_, near);
+      is_less = is_less && points.size() < most_;
+      left_.within(points_[points[at]], step_m_, near);
       for (const Neighbour& n : near) {
         if (is_met_[n.index] != 0) continue;
         is_met_[n.index] = 1;
@@ -106,18 +113,12 @@ class Growth {
       }
     }
     points.insert(points.end(), at_spool.begin(), at_spool.end());
-    if (!is_free || watch.cancelled()) return std::nullopt;
+    if (!is_less || watch.cancelled()) return std::nullopt;
     std::sort(points.begin(), points.end());
     return points;
   }
 
  private:
-  [[nodiscard]] bool touches_plane(const Eigen::Vector3f& p) const {
-    const float band = step_m_ + static_cast<float>(3 * scan_.noise_m);
-    return std::any_of(scan_.planes.begin(), scan_.planes.end(),
-                       [&](const DominantPlane& plane) { return plane.holds(p, band); });
-  }
-
   const UnexpectedScan& scan_;
   float step_m_;
   std::vector<Eigen::Vector3f> points_;
@@ -127,13 +128,29 @@ class Growth {
   std::vector<std::uint8_t> is_met_;
 };
 
+// What stands is upright, or nearly so. A bar aslant that meets the floor, or nearly, was only
+// welded on too long: it meets it with its end alone.
+bool is_aslant(const SteelBar& bar, const DominantPlane& plane) {
+  const float upright = std::abs(bar.direction.dot(plane.normal));
+  return upright > kLevel && upright < kUpright;
+}
+
+bool touches(const DominantPlane& plane, std::span<const Eigen::Vector3f> points, float band,
+             const std::optional<SteelBar>& bar) {
+  const bool is_aslant_bar = bar && is_aslant(*bar, plane);
+  return std::any_of(points.begin(), points.end(), [&](const Eigen::Vector3f& p) {
+    return plane.holds(p, band) && !(is_aslant_bar && bar->along(p) > kEndOfBar * bar->length_m);
+  });
+}
+
 // What reaches most of the way to floor, wall or table, or points straight at it from not far off,
 // is a stand, the rest of which the scanner did not see. A branch there cannot be told from one.
 bool is_a_stand(const Eigen::Vector3f& first, const Eigen::Vector3f& farthest, double reach_m,
-                std::span<const DominantPlane> planes) {
+                std::span<const DominantPlane> planes, const std::optional<SteelBar>& bar) {
   const Eigen::Vector3f along = (farthest - first).normalized();
   return std::any_of(planes.begin(), planes.end(), [&](const DominantPlane& plane) {
     const float distance = plane.distance(farthest);
+    if (bar && is_aslant(*bar, plane)) return false;
     if (!plane.patch.is_near(farthest - distance * plane.normal)) return false;  // past its edge
     const bool points_at_it = -along.dot(plane.normal) * std::copysign(1.0F, distance) > kStraight;
     const double left = double{std::abs(distance)};
@@ -153,6 +170,7 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
   if (watch.cancelled()) return found;
   // As dense as the spool's own points, and no denser than noise lets be told.
   const double step = kJoined * vouching_radius(object, object_points, 5 * scan.noise_m);
+  const auto band = static_cast<float>(step + 3 * scan.noise_m);
   Growth growth(scan, object, step, watch);
   // Where the floor is not in the scan: what ends where other things end.
   const auto stands_on_ground = [&](const std::vector<std::uint32_t>& points,
@@ -161,10 +179,9 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
     all.insert(all.end(), scan.left.begin(), scan.left.end());
     for (std::uint32_t k = 0; k < scan.left.size(); ++k)
       if (!std::binary_search(points.begin(), points.end(), k)) others.push_back(scan.left[k]);
-    const double band = step + 3 * scan.noise_m;
     const auto floor =
         ground(all, others, (last - first).normalized(), design.bounds().diagonal().norm(), band);
-    return floor && double{floor->distance(last)} < 2 * band;
+    return floor && double{floor->distance(last)} < 2.0 * band;
   };
   const std::vector<Eigen::Vector3f>& left = growth.points();
   for (const std::uint32_t i : growth.starts(watch)) {
@@ -172,6 +189,12 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
     if (growth.is_met(i)) continue;
     const std::optional<std::vector<std::uint32_t>> points = growth.from(i, watch);
     if (!points || points->size() < kLeastPoints) continue;
+    std::vector<Eigen::Vector3f> places;
+    for (const std::uint32_t at : *points) places.push_back(left[at]);
+    const std::optional<SteelBar> bar = bar_out_of(surface, places);
+    if (std::any_of(scan.planes.begin(), scan.planes.end(),
+                    [&](const DominantPlane& plane) { return touches(plane, places, band, bar); }))
+      continue;
     Unexpected it;
     std::map<std::int32_t, std::size_t> touched;
     Eigen::Vector3f farthest = left[i], nearest_joined = left[i];
@@ -195,13 +218,17 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
         std::max_element(touched.begin(), touched.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
     if (most == touched.end()) continue;  // what joins it was another's
-    it.part = most->first;
-    if (it.reach_m < kLeastReach || it.reach_m >= kFarthest ||
-        is_a_stand(nearest_joined, farthest, it.reach_m, scan.planes) ||
+    it.part = bar ? bar->part : most->first;
+    if (it.reach_m < kLeastReach || it.reach_m >= (bar ? kFarthest : kOddReach) ||
+        is_a_stand(nearest_joined, farthest, it.reach_m, scan.planes, bar) ||
         design.parts[static_cast<std::size_t>(it.part)].kind == PartKind::kSupport)
       continue;
     it.points = growth.all_of(*points);
-    if (stands_on_ground(it.points, nearest_joined, farthest)) continue;
+    // Floors, walls and tables are at right angles: what is aslant to one stands on none.
+    const bool stands_on_none =
+        bar && std::any_of(scan.planes.begin(), scan.planes.end(),
+                           [&](const DominantPlane& plane) { return is_aslant(*bar, plane); });
+    if (!stands_on_none && stands_on_ground(it.points, nearest_joined, farthest)) continue;
     found.push_back(std::move(it));
   }
   return found;

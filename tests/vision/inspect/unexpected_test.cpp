@@ -78,6 +78,26 @@ INSTANTIATE_TEST_SUITE_P(Directions, BranchTooMany,
                            return row.index == 0 ? "back" : row.index == 1 ? "ahead" : "low";
                          });
 
+// Half way between level and upright, with its end on the floor: nothing stands like that.
+TEST(Unexpected, MayMeetTheFloorAslant) {
+  const Rod branch{{0.02, 0, 0.2}, Vector3d(1, 0, -1).normalized(), 0.02, 0.55};
+  const auto found = unexpected_with({branch});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].part, test::kRiser);
+  EXPECT_GT(found[0].reach_m, 0.35);
+}
+
+// What leans against the spool from the floor has its line beside the steel.
+TEST(Unexpected, IsNotWhatLeansOnTheSpool) {
+  const Vector3d top(0, -0.052, 0.3), foot(0.5, -0.052, -0.2);
+  EXPECT_TRUE(
+      unexpected_with({{foot, (top - foot).normalized(), 0.02, (top - foot).norm()}}).empty());
+}
+
+TEST(Unexpected, IsNoLongThingThatOnlyLiesOnTheSpool) {
+  EXPECT_TRUE(unexpected_with({{{0.3, -0.6, 0.852}, Vector3d::UnitY(), 0.02, 1.2}}).empty());
+}
+
 TEST(Unexpected, IsNotWhatHoldsTheSpoolUp) {
   // A jack under the arm, from the floor; and one of which the scanner saw the upper half.
   for (const float floor : {kWide, kNarrow}) {
