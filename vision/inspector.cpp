@@ -33,6 +33,7 @@ void take_side(const DatumSide& side, const Alignment& alignment, const DesignMo
   placement.T_design_scan =
       side.T_new_old * between_local(alignment.T_design_scan, design.origin, scan.origin);
   placement.is_held = side.is_held;
+  placement.held_by = side.held_by;
   placement.alternatives.clear();  // they were of the other piece
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double kSlide = 0.06, kSlideLeast = 0.15;
 constexpr double kSlideStep = 0.5;  // of what a tried motion may miss
 constexpr int kTurns = 180;         // of two degrees
-constexpr int kSpins = 24;          // of fifteen degrees
+constexpr int kSpins = 90;          // of four degrees
 constexpr float kRoughGain = 0.2F;  // of a piece's surface that a motion has to win
 
 // `move` moves the design; is the moved surface where the scan has points?

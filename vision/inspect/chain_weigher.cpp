@@ -185,8 +185,9 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
                        .end_gate_m = gate_m_});
   WeighedMotion weighed{motion, {}, {}, 0};
   const Pose refinement = (icp.T_design_scan * motion.move).cast<double>();
+  const HeldBy held_by = motion.fault == PieceFault::kExchanged ? HeldBy::kShape : HeldBy::kJoint;
   const Eigen::Isometry3f T_piece_scan =
-      shape.as_held(refinement).cast<float>() * motion.move.inverse();
+      shape.as_held(refinement, held_by).cast<float>() * motion.move.inverse();
   weighed.motion.move = T_piece_scan.inverse();
 
   if (farthest_m(weighed.motion.move, shape) < options_.least_move_m) return std::nullopt;
@@ -215,6 +216,9 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
   // what would lie on nothing any more. What lay only near the
   // design and lies on the piece is won, and costs nothing where it does not.
   const JointBranch* other = counterpart(motion);
+  // Of two sides of the datum each is nearly all of the spool: they have more than a length in
+  // common, and that one lies on the other says nothing.
+  if (other != nullptr && other->holds(branch.part_far)) other = nullptr;
   for (std::uint32_t i = 0; i < scan.explained.size(); ++i) {
     const bool was_on = branch.holds(scan.explained_part[i]);
     const bool was_well = scan.is_well.empty() || scan.is_well[i] != 0;

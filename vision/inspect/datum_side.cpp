@@ -50,6 +50,7 @@ std::optional<DatumSide> datum_side(const ExplainedDesign& design, const Explain
   if (pieces.empty()) return std::nullopt;
   DatumSide side;
   side.T_new_old = pieces.front().motion.inverse();
+  if (pieces.front().fault == PieceFault::kExchanged) side.held_by = HeldBy::kShape;
   side.is_held.assign(design.model.parts.size(), 0);
   for (const int part : pieces.front().parts) side.is_held[static_cast<std::size_t>(part)] = 1;
   // What the new pose explains as well as the old one holds it too.

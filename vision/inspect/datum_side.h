@@ -11,12 +11,14 @@
 #include "vision/core/cancel.h"
 #include "vision/core/pose.h"
 #include "vision/inspect/explanation.h"
+#include "vision/inspect/piece_shape.h"
 
 namespace spool {
 
 struct DatumSide {
   Pose T_new_old = Pose::Identity();  // from the design frame of the pose so far into the new one
   std::vector<std::uint8_t> is_held;  // one a part: where it is does not hang on the wrong joint
+  HeldBy held_by = HeldBy::kJoint;    // what decides where those parts are
 };
 
 // What fits best of a spool with a wrong joint is its largest piece, but everything is measured

@@ -36,11 +36,11 @@ PieceShape::PieceShape(std::span<const std::uint8_t> is_part, const SurfaceSampl
   motions = held_motions(equations, matches);
 }
 
-Pose PieceShape::as_held(const Pose& motion) const {
+Pose PieceShape::as_held(const Pose& motion, HeldBy by) const {
   const Eigen::Vector3d& centre = equations.centre;
   Vector6d x;
   x << motion * centre - centre, rotation_vector(motion.linear());
-  const double least = kHeldShare * static_cast<double>(samples.size());
+  const double least = by == HeldBy::kJoint ? kHeldShare * static_cast<double>(samples.size()) : 0;
   for (int i = 0; i < 6; ++i) {
     if (!motions.weak[static_cast<std::size_t>(i)] && motions.held[i] >= least) continue;
     const Vector6d v = motions.directions.col(i);

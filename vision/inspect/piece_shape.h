@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,12 @@ namespace spool {
 [[nodiscard]] PointCloud samples_of(std::span<const std::uint8_t> is_part,
                                     const SurfaceSamples& all);
 
+// What decides a motion that the piece's own surface hardly holds.
+enum class HeldBy : std::uint8_t {
+  kJoint,  // where the piece hangs as designed: the motion is none
+  kShape,  // nothing else, where it hangs elsewhere: the little that the surface holds
+};
+
 struct PieceShape {
   PointCloud samples;                   // m, design frame, with normals
   std::vector<Eigen::Vector3f> probes;  // some of the samples, spread as they are
@@ -28,9 +35,10 @@ struct PieceShape {
 
   PieceShape(std::span<const std::uint8_t> is_part, const SurfaceSamples& all);
 
-  // `motion` (design frame, small) less what the piece's own surface hardly holds: a pipe with a
-  // flange turns about its axis, its few bolt holes are no hold; there the joint decides.
-  [[nodiscard]] Pose as_held(const Pose& motion) const;
+  // `motion` (design frame, small) less what the piece's own surface hardly holds (not at all,
+  // where nothing else decides): a pipe with a flange turns about its axis, its few bolt holes are
+  // no hold; there the joint decides.
+  [[nodiscard]] Pose as_held(const Pose& motion, HeldBy by = HeldBy::kJoint) const;
 };
 
 }  // namespace spool

@@ -159,7 +159,7 @@ void align_by_finding(const Placement& placement, const PointCloud& near,
   if (!placement.is_held.empty()) {
     const Pose& T = placement.T_design_scan;
     const PieceShape shape(placement.is_held, samples);
-    alignment.T_design_scan = shape.as_held(icp.T_design_scan * T.inverse()) * T;
+    alignment.T_design_scan = shape.as_held(icp.T_design_scan * T.inverse(), placement.held_by) * T;
   }
   const std::string mind = what_to_mind(icp);
   if (!alignment.reason.empty() && !mind.empty()) alignment.reason += ' ';

@@ -14,6 +14,7 @@
 #include "vision/design/sampling.h"
 #include "vision/find/finder_model.h"
 #include "vision/inspect/inspection.h"
+#include "vision/inspect/piece_shape.h"
 #include "vision/scan/noise_model.h"
 
 namespace spool {
@@ -40,6 +41,7 @@ struct Placement {
   bool is_symmetric = false;          // all of them by the design's own symmetry
   double noise_m = 0;                 // m, of a scan point: what is given, or what the pose shows
   std::vector<std::uint8_t> is_held;  // parts that the pose may be taken from; empty: all
+  HeldBy held_by = HeldBy::kJoint;    // what decides where those are
 };
 
 // What the method itself gives before anything is refined. Reach of pairs: what picks some 10 mm

@@ -150,8 +150,8 @@ TEST(ChainPieces, NameBothBranchesThatChangedPlaces) {
   EXPECT_EQ(named, (std::vector<int>{kArm, kSide}));
 }
 
-// The foot is a plain pipe, as the first length of the side branch is: of that length, which most of
-// the branch is, the design explains what lies in either place.
+// The foot is a plain pipe, as the first length of the side branch is: of that length, which most
+// of the branch is, the design explains what lies in either place.
 TEST(ChainPieces, NameABranchWhoseFirstLengthLiesOnTheOther) {
   const JointFrame foot{{0, 0.03F, 0.1F}, Eigen::Vector3f::UnitY()};
   const JointFrame side{{0, -0.03F, 0.4F}, -Eigen::Vector3f::UnitY()};
@@ -277,6 +277,18 @@ TEST(PieceShape, LeavesToTheJointWhatThePieceDoesNotHold) {
   EXPECT_LT(pose_size(alone.as_held(turn)).rotation_rad, 1e-4);
   EXPECT_NEAR(pose_size(alone.as_held(lean)).rotation_rad, std::numbers::pi / 180, 1e-4);
   EXPECT_NEAR(pose_size(footed.as_held(turn)).rotation_rad, std::numbers::pi / 180, 1e-4);
+  // What hangs elsewhere has no joint to ask: whatever its surface holds counts, and no more.
+  std::vector<std::uint8_t> stub(riser);
+  stub[kFoot] = 1;
+  SurfaceSamples little = jointed().samples;
+  for (std::size_t s = 0, kept = 0; s < little.part.size(); ++s)
+    if (little.part[s] == kFoot && (little.cloud.points[s].y() > 0.06F || ++kept > 25))
+      little.part[s] = kTip;
+  const PieceShape weak(stub, little);
+  EXPECT_LT(pose_size(weak.as_held(turn)).rotation_rad, 1e-4);
+  EXPECT_NEAR(pose_size(weak.as_held(turn, HeldBy::kShape)).rotation_rad, std::numbers::pi / 180,
+              1e-4);
+  EXPECT_LT(pose_size(alone.as_held(turn, HeldBy::kShape)).rotation_rad, 1e-4);
 }
 
 std::vector<int> missing_in(const PointCloud& scan, const std::vector<Piece>& pieces = {}) {
