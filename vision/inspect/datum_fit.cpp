@@ -62,6 +62,11 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
   if (design.datums.empty()) return;
   tree_ = joint_tree(design);
   root_ = design.datums.front();
+  const Part& datum = design.parts[static_cast<std::size_t>(root_)];
+  if (datum.holes && datum.holes->count > 0 && datum.holes->bolt_circle_m > 0) {
+    holes_.emplace(*datum.holes, BoltPhaseOptions{options.hole_bias_m, options.look_s});
+    hole_axis_ = datum.T_design_part.linear().col(2);
+  }
   for (const JointBranch& branch : tree_) {
     // Breadth first, so the nearer part's allowance is known. A joint's angle tells at the far
     // part's middle.
@@ -77,6 +82,7 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
 void DatumFit::clear() {
   std::fill(own_.begin(), own_.end(), MotionKnowledge{});
   prior_.gradient.setZero();
+  if (holes_) holes_->clear();
 }
 
 void DatumFit::add(const DatumReadings& readings) {
@@ -120,6 +126,19 @@ void DatumFit::add(const DatumReadings& readings) {
     look *= fresh / (1 + options_.bias_m * options_.bias_m * along_one_axis(look));
     own_[part] += look;
   }
+  if (holes_ && readings.holes != nullptr) holes_->add(*readings.holes, readings.passed_s);
+}
+
+// What the datum's bolt holes say of its turn about its axis.
+MotionKnowledge DatumFit::turn_of_datum() const {
+  MotionKnowledge told;
+  if (!holes_) return told;
+  const std::optional<BoltTurn> turn = holes_->turn();
+  if (!turn) return told;
+  const double weight = 1 / (turn->sigma_rad * turn->sigma_rad);
+  told.information.bottomRightCorner<3, 3>() = weight * hole_axis_ * hole_axis_.transpose();
+  told.gradient.tail<3>() = -weight * turn->turn_rad * hole_axis_;
+  return told;
 }
 
 // 1 / (v + variance) in place of 1 / v of each part's place along an axis.
@@ -157,11 +176,13 @@ double DatumFit::contradiction(const MotionKnowledge& a, const MotionKnowledge& 
 DatumEstimate DatumFit::solve() const {
   DatumEstimate estimate;
   estimate.counts.assign(own_.size(), tree_.empty() ? 1 : 0);
+  const MotionKnowledge turn = turn_of_datum();
   MotionKnowledge all;
   if (tree_.empty()) {
     for (const MotionKnowledge& knowledge : own_) all += knowledge;
   } else {
     std::vector<MotionKnowledge> belief = own_;
+    belief[static_cast<std::size_t>(root_)] += turn;
     std::vector<std::uint8_t> is_as_drawn(tree_.size(), 1);
     for (std::size_t i = tree_.size(); i-- > 0;) {
       const MotionKnowledge& far = belief[static_cast<std::size_t>(tree_[i].part_far)];
@@ -182,6 +203,7 @@ DatumEstimate DatumFit::solve() const {
   }
   // As designed: the same without the joints' variance, and of parts that are as drawn alone.
   MotionKnowledge rigid = prior_;
+  rigid += turn;
   for (std::size_t part = 0; part < own_.size(); ++part)
     if (estimate.counts[part] != 0) rigid += own_[part];
   estimate.covariance_as_designed = rigid.information.ldlt().solve(Matrix6d::Identity());
@@ -203,6 +225,7 @@ DatumEstimate DatumFit::solve() const {
 void DatumFit::follow(const Vector6d& step) {
   for (MotionKnowledge& knowledge : own_) knowledge.gradient -= knowledge.information * step;
   prior_.gradient -= prior_.information * step;
+  if (holes_) holes_->follow(hole_axis_.dot(step.tail<3>()));
 }
 
 }  // namespace spool

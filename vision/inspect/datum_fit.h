@@ -4,12 +4,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "vision/align/weak_directions.h"
 #include "vision/core/cloud_view.h"
 #include "vision/design/design_model.h"
+#include "vision/inspect/bolt_phase.h"
 #include "vision/inspect/deviation.h"
 #include "vision/inspect/joint_tree.h"
 
@@ -32,6 +34,9 @@ struct DatumFitOptions {
   // What the map may drift by in a second, m / sqrt(s): what is known of a part fades as fast as
   // that makes it untrue. Chosen as the two above.
   double drift_m = 0.0001;
+  // What the edges of a flange's bolt holes err by together in one look, round the bolt circle: a
+  // fifth of a pixel's width on the face at 0.8 m.
+  double hole_bias_m = 0.0003;
   std::size_t most_points = 6000;  // of a frame that are looked at, about
 };
 
@@ -43,6 +48,8 @@ struct DatumReadings {
   double correlated = 1;               // how many readings are worth one
   double passed_s = 0;                 // since the readings before
   double wide_m = 0;                   // what the pose may be off by besides, of a new alignment
+  // The datum's bolt holes: nothing else tells how it is turned where its pipe is as round as it.
+  const BoltLook* holes = nullptr;
 };
 
 struct DatumEstimate {
@@ -85,6 +92,7 @@ class DatumFit {
 
  private:
   void fade(double variance_m2);
+  [[nodiscard]] MotionKnowledge turn_of_datum() const;
   enum class Hold { kAsDrawn, kButAxis, kNone };
   [[nodiscard]] MotionKnowledge through(const JointBranch& joint, Hold hold,
                                         const MotionKnowledge& beyond) const;
@@ -95,8 +103,10 @@ class DatumFit {
   int root_ = 0;
   std::vector<float> allowance2_;  // m^2; of a part's place as built, one a part
   MotionKnowledge prior_;
-  std::vector<MotionKnowledge> own_;                  // one a part, at the design origin
-  std::vector<std::vector<Correspondence>> matches_;  // scratch, one a part
+  std::vector<MotionKnowledge> own_;                      // one a part, at the design origin
+  std::optional<BoltPhase> holes_;                        // of a datum that has some…
+  Eigen::Vector3d hole_axis_ = Eigen::Vector3d::UnitZ();  // …about this, design frame
+  std::vector<std::vector<Correspondence>> matches_;      // scratch, one a part
 };
 
 }  // namespace spool

@@ -42,7 +42,10 @@ LiveAlignment::LiveAlignment(std::shared_ptr<const PreparedDesign> design, const
       correlated_(correlated_readings(seen_by, 1)),
       options_(options),
       bounds_(design_->model.bounds()),
-      datum_(design_->model) {}
+      datum_(design_->model) {
+  if (!design_->model.datums.empty())
+    datum_ring_ = BoltRing::of(design_->model, design_->model.datums.front());
+}
 
 // The sensor's standard deviation at the spool's middle, never under one depth count.
 double LiveAlignment::noise_at(const Pose& T_camera_design) const {
@@ -202,8 +205,10 @@ void LiveAlignment::take_in(const VisionState& state, double passed_s, double wi
   for (std::size_t i = 0; i < variances.size(); ++i)
     if (state.deviations.part[i] >= 0)
       variances[i] = reading_noise_.variance(state.scan.points[i], state.scan.normals[i]);
-  datum_.add(
-      {CloudView(state.scan_design), state.deviations, variances, correlated_, passed_s, wide_m});
+  std::optional<BoltLook> holes;
+  if (datum_ring_) holes = datum_ring_->read(*state.frame, camera_, noise_, state.T_design_camera);
+  datum_.add({CloudView(state.scan_design), state.deviations, variances, correlated_, passed_s,
+              wide_m, holes ? &*holes : nullptr});
   known_ = datum_.solve();
   T_design_map_ = moved_about(Eigen::Vector3d::Zero(), known_.step, *T_design_map_);
   datum_.follow(known_.step);

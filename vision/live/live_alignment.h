@@ -11,6 +11,7 @@
 
 #include "vision/align/icp.h"
 #include "vision/core/camera.h"
+#include "vision/inspect/bolt_ring.h"
 #include "vision/inspect/datum_fit.h"
 #include "vision/inspector.h"
 #include "vision/live/surface_agreement.h"
@@ -114,6 +115,7 @@ class LiveAlignment {
   LiveAlignmentOptions options_;
   Eigen::AlignedBox3d bounds_;
   DatumFit datum_;
+  std::optional<BoltRing> datum_ring_;  // of a datum that is a flange
   std::optional<Pose> T_design_map_;
   DatumEstimate known_;  // of late
   int looks_ = 0;

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/inspect/datum_fit.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -42,13 +43,13 @@ struct Followed {
   Followed(const DesignModel& design, PointCloud of, const DatumFitOptions& options = {})
       : fit(design, options), scan(std::move(of)) {}
 
-  // `wide_m`: as DatumReadings.
-  void see(double passed_s = 0.03, double wide_m = 0) {
+  // `wide_m`, `holes`: as DatumReadings.
+  void see(double passed_s = 0.03, double wide_m = 0, const BoltLook* holes = nullptr) {
     const PointCloud here = spool::moved(scan, T_design_scan);
     std::vector<PointClass> classes(here.size(), PointClass::kObject);
     const Deviations deviations = measure_deviations(here, classes, jointed().surface, 0.03F);
     const std::vector<float> variances(here.size(), kVariance);
-    fit.add({CloudView(here), deviations, variances, 1, passed_s, wide_m});
+    fit.add({CloudView(here), deviations, variances, 1, passed_s, wide_m, holes});
     last = fit.solve();
     T_design_scan = moved_about(Vector3d::Zero(), last.step, T_design_scan);
     fit.follow(last.step);
@@ -93,6 +94,50 @@ TEST(DatumFit, WithoutDatumsTakesTheDesignForOneBody) {
   Followed followed(design, spool::moved(scan, off));
   followed.see_often(5);
   EXPECT_LT(datum_off(followed.T_design_scan, off.inverse()), 0.0003);
+}
+
+// What four holes show that are turned by so much from x.
+BoltLook holes_at(double angle_rad) {
+  BoltLook look;
+  look.bins.resize(64);
+  for (std::size_t i = 0; i < look.bins.size(); ++i) {
+    const double angle = (static_cast<double>(i) + 0.5) / 64 * 2 * std::numbers::pi;
+    const double off = std::abs(std::remainder(angle - angle_rad, std::numbers::pi / 2));
+    look.bins[i] = {10, static_cast<float>(10 * std::clamp(0.5 + (0.2 - off) / 0.1, 0.0, 1.0))};
+  }
+  return look;
+}
+
+// All that hangs on the riser was turned about it alike: nothing but its bolt holes can tell.
+TEST(DatumFit, KnowsItsTurnByItsHoles) {
+  DesignModel design = jointed().design;
+  design.parts[kRiser].holes = BoltHoles{4, 0.1, 0};
+  Followed followed(design, jointed().scan(jointed().as_designed(), kAll));
+  // In the frame of the scan as it was given; the design follows.
+  for (int i = 0; i < 40; ++i) {
+    const double design_turn =
+        std::atan2(followed.T_design_scan.linear()(1, 0), followed.T_design_scan.linear()(0, 0));
+    const BoltLook look = holes_at(5 * kDegree + design_turn);
+    followed.see(0.4, 0, &look);
+  }
+  const Eigen::Matrix3d& turn = followed.T_design_scan.linear();
+  EXPECT_NEAR(std::atan2(turn(1, 0), turn(0, 0)), -5 * kDegree, 0.2 * kDegree);
+  EXPECT_EQ(followed.last.counts[kRiser], 1);
+  for (const int part : {kFoot, kArm, kTip, kSide, kEnd})
+    EXPECT_EQ(followed.last.counts[static_cast<std::size_t>(part)], 0);
+  const double sigma = std::sqrt(followed.last.stated_covariance()(5, 5));
+  EXPECT_GT(sigma, 0.1 * kDegree) << "no better than the holes tell";
+  EXPECT_LT(sigma, 1 * kDegree);
+}
+
+TEST(DatumFit, KnowsItsTurnByAllThatHoldsItWhereTheHolesAgree) {
+  DesignModel design = jointed().design;
+  design.parts[kRiser].holes = BoltHoles{4, 0.1, 0};
+  Followed followed(design, jointed().scan(jointed().as_designed(), kAll));
+  const BoltLook look = holes_at(0.2 * kDegree);
+  for (int i = 0; i < 40; ++i) followed.see(0.4, 0, &look);
+  EXPECT_LT(pose_size(followed.T_design_scan).rotation_rad, 0.1 * kDegree);
+  for (const std::uint8_t counts : followed.last.counts) EXPECT_EQ(counts, 1);
 }
 
 // The arm and its tip, half of what is seen, are turned by 5 degrees about the riser's top.

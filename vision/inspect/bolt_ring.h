@@ -1,0 +1,60 @@
+// Where the holes of a flange's bolt circle let the camera see through.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "vision/core/camera.h"
+#include "vision/core/depth_frame.h"
+#include "vision/core/pose.h"
+#include "vision/design/design_model.h"
+#include "vision/scan/noise_model.h"
+
+namespace spool {
+
+// What one frame shows of the ring, by the angle about the flange's axis: x of the part's frame at
+// 0, right-handed about z.
+struct BoltLook {
+  struct Bin {
+    float seen = 0;     // readings on the face or behind it…
+    float through = 0;  // …and behind it
+  };
+  std::vector<Bin> bins;  // equal parts of a turn
+};
+
+// The ring of a flange's face in which the holes lie.
+class BoltRing {
+ public:
+  // Nothing for a part that has no holes, or whose mesh has no flat face round them.
+  [[nodiscard]] static std::optional<BoltRing> of(const DesignModel& design, int part);
+
+  [[nodiscard]] int part() const { return part_; }
+  [[nodiscard]] const BoltHoles& holes() const { return holes_; }
+  // Unit, design frame.
+  [[nodiscard]] Eigen::Vector3d axis() const { return T_design_part_.linear().col(2); }
+
+  // The flange is within millimetres of where the pose has it, along its axis and aside. Nothing
+  // where its face is turned away, outside the picture or hidden.
+  [[nodiscard]] std::optional<BoltLook> read(const DepthFrame& frame, const Camera& camera,
+                                             const NoiseModel& noise,
+                                             const Pose& T_design_camera) const;
+
+ private:
+  struct Face {
+    double z_m = 0;   // in the part's frame
+    double side = 0;  // where it looks, along z: -1 or 1; 0: there is none
+  };
+
+  int part_ = -1;
+  BoltHoles holes_;
+  double half_width_m_ = 0;  // of the ring
+  Pose T_design_part_ = Pose::Identity();
+  std::array<Face, 2> faces_;
+};
+
+}  // namespace spool
