@@ -42,6 +42,7 @@ void BoltPhase::add(const BoltLook& look, double passed_s) {
     look_age_s_ = 0;
   }
   Wave& wave = looks_.back();
+  wave.pixel_m = look.pixel_m;
   bins_.resize(look.bins.size());
   const auto bins = static_cast<double>(bins_.size());
   const auto wrapped = [&](double bin) { return std::fmod(std::fmod(bin, bins) + bins, bins); };
@@ -87,7 +88,9 @@ std::optional<BoltTurn> BoltPhase::turn() const {
   if (!(kStandsOut * scatter < 1)) return std::nullopt;
   const double phase = std::arg(harmonic) / holes_.count;
   if (!are_holes(phase, amplitude)) return std::nullopt;
-  const double bias = options_.bias_m / (0.5 * holes_.bolt_circle_m);
+  double pixel_m = 0;
+  for (const Wave& look : looks_) pixel_m += look.pixel_m / static_cast<double>(looks_.size());
+  const double bias = options_.bias_px * pixel_m / (0.5 * holes_.bolt_circle_m);
   const double sigma = scatter / holes_.count;
   return BoltTurn{std::remainder(phase + turned_rad_ - holes_.clocking_rad, kTurn / holes_.count),
                   std::sqrt(sigma * sigma + bias * bias)};

@@ -21,9 +21,9 @@ struct BoltTurn {
 };
 
 struct BoltPhaseOptions {
-  // What the holes' edges err by together, round the bolt circle; no number of looks averages that
-  // away.
-  double bias_m = 0.0003;
+  // What the holes' edges err by together, round the bolt circle, in pixels of the picture: how
+  // they fall on its grid. No number of looks averages that away.
+  double bias_px = 0.25;
   double look_s = 0.3;  // frames of so long are one look
 };
 
@@ -56,6 +56,7 @@ class BoltPhase {
   struct Wave {
     std::complex<double> through, seen;  // sums of exp(i n angle)
     double through_count = 0, seen_count = 0;
+    double pixel_m = 0;
   };
 
   BoltHoles holes_;

@@ -102,6 +102,7 @@ std::optional<BoltLook> BoltRing::read(const DepthFrame& frame, const Camera& ca
 
   BoltLook look;
   look.bins.resize(static_cast<std::size_t>(kBinsOfPitch * holes_.count));
+  look.pixel_m = distance / std::min(camera.fx, camera.fy);
   std::size_t readings = 0, before = 0;
   const Eigen::Matrix3d to_part = T_part_camera.linear();
   for (int v = v0; v <= v1; ++v)

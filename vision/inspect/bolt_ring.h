@@ -25,6 +25,7 @@ struct BoltLook {
     float through = 0;  // …and behind it
   };
   std::vector<Bin> bins;  // equal parts of a turn
+  double pixel_m = 0;     // across, on the face
 };
 
 // The ring of a flange's face in which the holes lie.

@@ -64,7 +64,7 @@ DatumFit::DatumFit(const DesignModel& design, const DatumFitOptions& options)
   root_ = design.datums.front();
   const Part& datum = design.parts[static_cast<std::size_t>(root_)];
   if (datum.holes && datum.holes->count > 0 && datum.holes->bolt_circle_m > 0) {
-    holes_.emplace(*datum.holes, BoltPhaseOptions{options.hole_bias_m, options.look_s});
+    holes_.emplace(*datum.holes, BoltPhaseOptions{.look_s = options.look_s});
     hole_axis_ = datum.T_design_part.linear().col(2);
   }
   for (const JointBranch& branch : tree_) {

@@ -34,9 +34,6 @@ struct DatumFitOptions {
   // What the map may drift by in a second, m / sqrt(s): what is known of a part fades as fast as
   // that makes it untrue. Chosen as the two above.
   double drift_m = 0.0001;
-  // What the edges of a flange's bolt holes err by together in one look, round the bolt circle: a
-  // fifth of a pixel's width on the face at 0.8 m.
-  double hole_bias_m = 0.0003;
   std::size_t most_points = 6000;  // of a frame that are looked at, about
 };
 

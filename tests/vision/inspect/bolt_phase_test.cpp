@@ -37,6 +37,7 @@ struct Ring {
     const double pitch = 2 * std::numbers::pi / holes.count;
     BoltLook look;
     look.bins.resize(static_cast<std::size_t>(16 * holes.count));
+    look.pixel_m = 0.0012;
     std::uniform_real_distribution<double> anywhere(from_rad, to_rad);
     for (int i = 0; i < 600; ++i) {
       const double angle = anywhere(random);
@@ -70,7 +71,7 @@ TEST_P(Turned, IsToldWithinItsUncertainty) {
     ASSERT_TRUE(told);
     EXPECT_NEAR(told->turn_rad, turn, 3 * told->sigma_rad);
     EXPECT_LT(told->sigma_rad, 0.5 * kDegree);
-    EXPECT_GT(told->sigma_rad, 0.0003 / 0.06) << "edges err together";
+    EXPECT_GT(told->sigma_rad, 0.0003 / 0.0601) << "edges err together by a quarter of a pixel";
   }
 }
 
@@ -83,7 +84,7 @@ TEST(BoltPhase, ScattersAsItSays) {
     Ring ring;
     ring.random.seed(static_cast<unsigned>(100 + run));
     ring.shake_rad = 4 * kDegree;
-    BoltPhase phase(ring.holes, {.bias_m = 0});
+    BoltPhase phase(ring.holes, {.bias_px = 0});
     for (int i = 0; i < 30; ++i) phase.add(ring.look(0), 0.4);
     const auto told = phase.turn();
     ASSERT_TRUE(told);

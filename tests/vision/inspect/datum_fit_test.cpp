@@ -100,6 +100,7 @@ TEST(DatumFit, WithoutDatumsTakesTheDesignForOneBody) {
 BoltLook holes_at(double angle_rad) {
   BoltLook look;
   look.bins.resize(64);
+  look.pixel_m = 0.001;
   for (std::size_t i = 0; i < look.bins.size(); ++i) {
     const double angle = (static_cast<double>(i) + 0.5) / 64 * 2 * std::numbers::pi;
     const double off = std::abs(std::remainder(angle - angle_rad, std::numbers::pi / 2));
