@@ -9,15 +9,16 @@ from pathlib import Path
 
 # Folders in the order of the data flow: a file may include its own folder and those listed for it.
 CORE = ["vision/core"]
-VISION = ["vision/core", "vision/scan", "vision/design", "vision/fit", "vision/align", "vision/find",
+VISION = ["vision/core", "vision/piping", "vision/scan", "vision/design", "vision/fit", "vision/align", "vision/find",
           "vision/inspect"]
 MAY_INCLUDE = {
     "vision/core": CORE,
-    "vision/scan": VISION[:2],
-    "vision/design": VISION[:3],
-    "vision/fit": VISION[:4],
-    "vision/align": VISION[:5],
-    "vision/find": VISION[:6],
+    "vision/piping": VISION[:2],
+    "vision/scan": CORE + ["vision/scan"],
+    "vision/design": VISION[:4],
+    "vision/fit": VISION[:5],
+    "vision/align": VISION[:6],
+    "vision/find": VISION[:7],
     "vision/inspect": VISION,
     "vision": VISION + ["vision"],
     "vision/live": VISION + ["vision", "vision/live"],
