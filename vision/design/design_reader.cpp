@@ -25,9 +25,10 @@ struct Reader {
 };
 
 // A new format is one file and one line here.
-constexpr std::array<Reader, 8> kReaders{{
+constexpr std::array<Reader, 9> kReaders{{
     {".glb", &read_gltf_design},
     {".gltf", &read_gltf_design},
+    {".pcf", &read_pcf_design},
     {".stl", &read_mesh_design},
     {".obj", &read_mesh_design},
     {".ply", &read_ply_design},

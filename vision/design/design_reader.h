@@ -12,9 +12,10 @@
 
 namespace spool {
 
-// Reads .glb/.gltf (metres, ARCHITECTURE, Files), .stl/.obj/.ply meshes (assimp; unit given or
-// inferred with a warning), .ply/.pcd/.xyz/.txt clouds. kBadInput with one sentence for anything
-// missing, empty, cut short, hostile, without a surface, or in a unit that cannot be told.
+// Reads .glb/.gltf (metres, ARCHITECTURE, Files), .pcf piping files, .stl/.obj/.ply meshes (assimp;
+// unit given or inferred with a warning), .ply/.pcd/.xyz/.txt clouds. kBadInput with one sentence
+// for anything missing, empty, cut short, hostile, without a surface, or in a unit that cannot be
+// told.
 [[nodiscard]] Result<DesignModel> read_design(const std::filesystem::path& path,
                                               std::optional<LengthUnit> unit = std::nullopt);
 

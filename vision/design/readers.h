@@ -23,6 +23,7 @@ struct DesignFile {
 [[nodiscard]] Result<DesignModel> read_gltf_design(const DesignFile& file);
 [[nodiscard]] Result<DesignModel> read_mesh_design(const DesignFile& file);
 [[nodiscard]] Result<DesignModel> read_cloud_design(const DesignFile& file);
+[[nodiscard]] Result<DesignModel> read_pcf_design(const DesignFile& file);
 [[nodiscard]] Result<DesignModel> read_ply_design(
     const DesignFile& file);  // either of the two above
 
