@@ -15,13 +15,15 @@
 #include "vision/core/file_io.h"
 #include "vision/design/design_reader.h"
 #include "vision/design/gltf_writer.h"
+#include "vision/design/pipework_design.h"
 #include "vision/piping/pcf_reader.h"
+#include "vision/piping/spools.h"
 
 namespace spool::tools {
 namespace {
 
 struct ConvertOptions {
-  std::string input, out, unit;
+  std::string input, out, unit, spool;
   double root_gap_mm = 0;
   bool info = false;
 };
@@ -39,26 +41,47 @@ Status check(const ConvertOptions& options) {
     return Error{ErrorCode::kUsage, "nothing to do: give -o FILE.glb, --info or both"};
   if (!options.out.empty() && !ends_in(options.out, ".glb"))
     return Error{ErrorCode::kUsage, "-o " + options.out + ": a design is written as .glb"};
-  if (options.info && !ends_in(options.input, ".pcf"))
-    return Error{ErrorCode::kUsage, "--info is of a .pcf file, which " + options.input + " is not"};
+  if ((options.info || !options.spool.empty()) && !ends_in(options.input, ".pcf"))
+    return Error{ErrorCode::kUsage, (options.info ? "--info" : "--spool") +
+                                        std::string(" is of a .pcf file, which ") + options.input +
+                                        " is not"};
   return {};
 }
 
-Status print_info(const ConvertOptions& options) {
+// The piping file, or the one spool of it that was asked for.
+Result<piping::Pipework> read_pipework(const ConvertOptions& options) {
   const Result<std::string> bytes = read_file(options.input);
   if (!bytes) return bytes.error();
   std::optional<double> unit;
   if (const auto asked = parse_length_unit(options.unit)) unit = metres(*asked);
-  const auto pipework = piping::read_pcf(*bytes, options.input, unit);
+  auto pipework = piping::read_pcf(*bytes, options.input, unit);
+  if (!pipework || options.spool.empty()) return pipework;
+  auto one = piping::only_spool(*pipework, options.spool);
+  if (!one) return Error{one.error().code, options.input + ": " + one.error().message};
+  return one;
+}
+
+Status print_info(const ConvertOptions& options) {
+  const auto pipework = read_pipework(options);
   if (!pipework) return pipework.error();
   std::cout << pcf_info(options.input, *pipework, options.root_gap_mm / 1000);
   return {};
 }
 
+Result<DesignModel> read(const ConvertOptions& options) {
+  if (options.spool.empty()) return read_design(options.input, parse_length_unit(options.unit));
+  const auto pipework = read_pipework(options);
+  if (!pipework) return pipework.error();
+  DesignModel design;
+  design.path = options.input;
+  if (Status built = design_of(*pipework, design); !built) return built.error();
+  return design;
+}
+
 Status write_glb(const ConvertOptions& options) {
   Progress progress;
   progress.report("design", 0);
-  const Result<DesignModel> design = read_design(options.input, parse_length_unit(options.unit));
+  const Result<DesignModel> design = read(options);
   if (!design) return design.error();
   progress.report("writing", 0.5);
   const Result<std::string> bytes = write_gltf(*design);
@@ -96,6 +119,8 @@ int main(int argc, char** argv) {
       ->type_name("FILE.glb");
   app.add_flag("--info", options.info,
                "Print what was understood of a .pcf: spools, parts, welds, cut list, problems");
+  app.add_option("--spool", options.spool, "Of a .pcf: this spool alone, as --info names it")
+      ->type_name("NAME");
   app.add_option("--root-gap-mm", options.root_gap_mm,
                  "Root gap of butt welds that the cut list takes off, mm")
       ->check(spool::non_negative_number())

@@ -113,6 +113,23 @@ TEST_F(Convert, TakesTheUnitThatIsAskedFor) {
   EXPECT_FALSE(holds(told.err, "--design-unit")) << told.err;
 }
 
+TEST_F(Convert, WritesOneSpoolOfSeveral) {
+  const std::string pcf = file("spool.pcf", spool_pcf());
+  const ProcessResult result = convert({pcf, "--spool", "SP2", "-o", at("two.glb"), "--info"});
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(holds(result.out, "4 components")) << result.out;
+  EXPECT_FALSE(holds(result.out, "SP1")) << result.out;
+  const auto design = read_design(at("two.glb"));
+  ASSERT_TRUE(design) << design.error().message;
+  EXPECT_EQ(design->spool, "SP2");
+  EXPECT_EQ(design->parts.size(), 4u);  // no gasket, no valve: those go up on site
+  EXPECT_EQ(design->joints.size(), 3u);
+  const ProcessResult none = convert({pcf, "--spool", "SP3", "-o", at("three.glb")});
+  EXPECT_EQ(none.code, 65);
+  EXPECT_TRUE(holds(none.err, "'SP3' is no spool of the file; its spools are SP1, SP2"))
+      << none.err;
+}
+
 TEST_F(Convert, InspectTakesAPipingFileAsDesign) {
   const std::string pcf = file("spool.pcf", spool_pcf());
   const auto design = read_design(pcf);

@@ -148,4 +148,48 @@ void name_welds_and_spools(Pipework& pipework) {
   }
 }
 
+Result<Pipework> only_spool(const Pipework& pipework, const std::string& spool) {
+  const auto found = std::find_if(pipework.spools.begin(), pipework.spools.end(),
+                                  [&](const Spool& each) { return each.name == spool; });
+  if (found == pipework.spools.end()) {
+    std::string known;
+    for (const Spool& each : pipework.spools) known += (known.empty() ? "" : ", ") + each.name;
+    return Error{ErrorCode::kBadInput, "'" + spool + "' is no spool of the file; its spools are " +
+                                           (known.empty() ? "none" : known)};
+  }
+  std::set<int> kept(found->components.begin(), found->components.end());
+  for (const PipeJoint& joint : pipework.joints) {
+    if (joint.weld >= 0 && kept.count(joint.a) != 0 && kept.count(joint.b) != 0)
+      kept.insert(joint.weld);
+  }
+  Pipework out = pipework;
+  out.components.clear();
+  out.joints.clear();
+  out.spools.clear();
+  out.problems.clear();
+  std::map<int, int> place;
+  for (const int c : kept) {
+    place[c] = static_cast<int>(out.components.size());
+    out.components.push_back(pipework.components[static_cast<std::size_t>(c)]);
+  }
+  for (PipeJoint joint : pipework.joints) {
+    if (place.count(joint.a) == 0 || place.count(joint.b) == 0) continue;
+    joint.a = place[joint.a];
+    joint.b = place[joint.b];
+    if (joint.weld >= 0) joint.weld = place[joint.weld];
+    out.joints.push_back(joint);
+  }
+  out.spools.push_back({found->name, found->is_made_up, {}});
+  for (const int c : found->components) out.spools.front().components.push_back(place[c]);
+  // A problem belongs to the component within whose lines it lies.
+  for (const Problem& each : pipework.problems) {
+    int owner = -1;
+    for (std::size_t c = 0; c < pipework.components.size(); ++c) {
+      if (pipework.components[c].line <= each.line) owner = static_cast<int>(c);
+    }
+    if (owner < 0 || place.count(owner) != 0) out.problems.push_back(each);
+  }
+  return out;
+}
+
 }  // namespace spool::piping

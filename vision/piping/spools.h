@@ -3,6 +3,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
+#include "vision/core/result.h"
 #include "vision/piping/pipework.h"
 
 namespace spool::piping {
@@ -12,5 +15,9 @@ namespace spool::piping {
 // spools. Then spools: what SPOOL-IDENTIFIER says, else what shop welds hold together, named by the
 // file's prefix and flagged. Problems: numbers given twice, welds that do not say shop or site.
 void name_welds_and_spools(Pipework& pipework);
+
+// One spool of a pipework as pipework of its own: its components, the joints and welds between
+// them, its problems. kBadInput names the spools that there are.
+[[nodiscard]] Result<Pipework> only_spool(const Pipework& pipework, const std::string& spool);
 
 }  // namespace spool::piping

@@ -108,6 +108,26 @@ TEST(Spools, TakesInWhatIsWeldedToThemInTheShop) {
   EXPECT_EQ(out.joints[1].where, WeldPlace::kField) << "to what goes up on site";
 }
 
+TEST(Spools, StandAloneWithTheirWeldsAndProblems) {
+  const std::string text = replaced(spool_pcf(), "576.0 2", "580.0 2");  // a tee of SP1
+  const Pipework whole = read_good(text);
+  const auto one = only_spool(whole, "SP1");
+  const auto two = only_spool(whole, "SP2");
+  ASSERT_TRUE(one && two);
+  EXPECT_EQ(one->spools.front().components.size(), 8u);
+  EXPECT_EQ(one->components.size(), 9u) << "eight and the WELD between two of them";
+  EXPECT_NE(problem_line(*one, "a branch of 80.0 mm"), -1);
+  EXPECT_EQ(problem_line(*two, "a branch of 80.0 mm"), -1);
+  for (const PipeJoint& joint : one->joints) {
+    EXPECT_EQ(one->components.at(static_cast<std::size_t>(joint.a)).spool, "SP1");
+    EXPECT_EQ(one->components.at(static_cast<std::size_t>(joint.b)).spool, "SP1");
+    if (joint.weld >= 0) {
+      EXPECT_EQ(one->components.at(static_cast<std::size_t>(joint.weld)).weld_number, "W-101");
+    }
+  }
+  EXPECT_FALSE(only_spool(whole, "SP3"));
+}
+
 TEST(CutList, TakesOffFittingsAndGaps) {
   const Pipework out = read_good(spool_pcf());
   const auto list = cut_list(out, 0.003);
