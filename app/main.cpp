@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Shows the design of a pipe spool over what a depth camera sees, coloured by deviation.");
   spool::add_common_options(app, "spoolsight");
-  app.add_option("--design", flags.design, "Design: .glb .gltf .stl .obj .ply .pcd .xyz")
+  app.add_option("--design", flags.design, "Design: .glb .gltf .pcf .stl .obj .ply .pcd .xyz")
       ->required();
   app.add_option("--source", flags.source,
                  "openni[:URI] | FILE.oni | DEPTH_FOLDER | simulated[:SCENE.json]")

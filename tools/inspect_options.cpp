@@ -36,9 +36,10 @@ bool is_known_standard(const std::string& standard) {
 }  // namespace
 
 void add_inspect_options(CLI::App& app, InspectOptions& options) {
-  app.add_option("--design", options.designs,
-                 "Design: .glb .gltf .stl .obj .ply .pcd .xyz .txt; given several times, the one "
-                 "that lies there is found")
+  app.add_option(
+         "--design", options.designs,
+         "Design: .glb .gltf .pcf .stl .obj .ply .pcd .xyz .txt; given several times, the one "
+         "that lies there is found")
       ->required()
       ->type_name("FILE");
   app.add_option("--scan", options.scan,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/vision/piping/pipework_probe.h"
+#include "vision/piping/pcf_text.h"
 
 namespace spool::piping {
 namespace {
@@ -33,6 +34,8 @@ void expect_same(const Pipework& a, const Pipework& b, const char* how) {
     EXPECT_EQ(x.skey, y.skey) << where;
     EXPECT_EQ(x.schedule, y.schedule) << where;
     EXPECT_EQ(x.rating, y.rating) << where;
+    EXPECT_EQ(to_capitals(x.heat), to_capitals(y.heat)) << where;
+    EXPECT_EQ(to_capitals(x.spool), to_capitals(y.spool)) << where;
     EXPECT_EQ(x.is_erection, y.is_erection) << where;
     EXPECT_EQ(x.places.size(), y.places.size()) << where;
     EXPECT_EQ(x.taps.size(), y.taps.size()) << where;
@@ -109,6 +112,8 @@ TEST(PcfReader, ReadsTheSameFromEveryWriter) {
   const std::string materials = text.substr(text.find("MATERIALS"));
   const std::string body = text.substr(0, text.find("MATERIALS"));
   expect_same(plain, read_good(test::unindented(text)), "no indentation");
+  const std::string own = replaced(text, "    HEAT-NUMBER", "    COLOUR red\n    HEAT-NUMBER");
+  expect_same(plain, read_good(test::unindented(own)), "no indentation, an attribute of its own");
   expect_same(plain, read_good(test::in_small_letters(text)), "small letters");
   expect_same(plain, read_good(replaced(text, "\n", "\r\n")), "line ends of Windows");
   expect_same(plain, read_good(replaced(text, "\n    ", "\n\t")), "tabs");
@@ -265,6 +270,14 @@ TEST(PcfReader, NamesEveryOddityWithItsLine) {
         << each.line << "\n"
         << test::all_problems(out);
   }
+}
+
+TEST(PcfReader, JoinsDescriptionsOfSeveralLines) {
+  const Pipework out =
+      read_good(pcf("PIPE\n  END-POINT 0 0 0 4\n  END-POINT 900 0 0 4\n"
+                    "  ITEM-DESCRIPTION PIPE SCH\n  ITEM-DESCRIPTION 80\n"));
+  EXPECT_EQ(out.components[0].description, "PIPE SCH 80");
+  EXPECT_EQ(out.components[0].schedule, "80");
 }
 
 TEST(PcfReader, LeavesOutWhatWasNeverPlaced) {
