@@ -67,6 +67,15 @@ TEST_F(Convert, PrintsWhatItUnderstood) {
   EXPECT_FALSE(std::filesystem::exists(at("spool.glb")));
 }
 
+TEST_F(Convert, FlagsSpoolsThatItMadeUp) {
+  const std::string text = replaced(spool_pcf(), "    SPOOL-IDENTIFIER  SP1\n", "");
+  const ProcessResult result =
+      convert({file("spool.pcf", replaced(text, "    SPOOL-IDENTIFIER  SP2\n", "")), "--info"});
+  EXPECT_TRUE(holds(result.out, "10-3-PL-3259-SP1 (made up: the file names none): 8 parts"))
+      << result.out;
+  EXPECT_FALSE(holds(convert({file("named.pcf", spool_pcf()), "--info"}).out, "made up: the file"));
+}
+
 TEST_F(Convert, WarnsOfProblemsWhileItWrites) {
   const std::string text = replaced(spool_pcf(), "576.0 2", "580.0 2");
   const ProcessResult result = convert({file("spool.pcf", text), "-o", at("spool.glb")});

@@ -88,7 +88,8 @@ Isometry3d frame_at(const Vector3d& origin, const Vector3d& z,
                     const std::optional<Vector3d>& x_hint) {
   Vector3d x = x_hint.value_or(Vector3d::UnitZ());
   x -= x.dot(z) * z;
-  if (x.norm() < 0.03) {  // within two degrees of the axis
+  // A hint is meant also where it is nearly the axis, as of a bend by one degree; up is not.
+  if (x.norm() < (x_hint ? 1e-6 : 0.03)) {
     x = Vector3d::UnitY() - z.y() * z;
     if (x.norm() < 0.03) x = Vector3d::UnitZ() - z.z() * z;
   }
