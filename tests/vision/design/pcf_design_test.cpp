@@ -292,11 +292,11 @@ TEST_F(PcfDesign, DrawsEveryKindOfComponent) {
 }
 
 TEST_F(PcfDesign, BendsASlightBendToItsSide) {
-  // By one degree to the north, a metre either side of its centre.
+  // By one degree to the south, a metre either side of its centre.
   const DesignModel design = good(pcf(
-      "BEND\n  END-POINT 0 0 0 4\n  END-POINT 1999.8477 17.4524 0 4\n  CENTRE-POINT 1000 0 0\n"));
-  const double north = -(design.bounds().min().z() + design.origin.z());
-  EXPECT_NEAR(north, 0.0174524 + 0.05715 * std::cos(std::numbers::pi / 180), 1e-6);
+      "BEND\n  END-POINT 0 0 0 4\n  END-POINT 1999.8477 -17.4524 0 4\n  CENTRE-POINT 1000 0 0\n"));
+  const double south = design.bounds().max().z() + design.origin.z();
+  EXPECT_NEAR(south, 0.0174524 + 0.05715 * std::cos(std::numbers::pi / 180), 1e-6);
 }
 
 TEST_F(PcfDesign, BlindAndGasketFollowTheFlangeTheySitOn) {
