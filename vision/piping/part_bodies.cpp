@@ -298,8 +298,6 @@ bool make_branched(const Component& component, PartShape& shape) {
   const double down = (component.ends[0].position - centre).norm();
   const double up = (component.ends[1].position - centre).norm();
   shape.T_file_part = frame;
-  if (down < kNoLength && up < kNoLength)  // a stub: the run's pipes meet under it
-    return add_saddle_branch(shape.solid, outer_radius(end), outlets[0].outer, outlets[0]);
   return add_branched_run(shape.solid, {outer_radius(end), run_inner, down, up}, outlets);
 }
 
@@ -316,8 +314,11 @@ bool make_olet(const Component& component, double run_diameter, const Vector3d& 
   const double thick = end == "SW" || end == "SC" ? 1.3 : 1.0;  // B16.11: a socket round the pipe
   const Outlet outlet{thick * outer_radius(branch), inner_radius(component, branch), out.norm(),
                       std::acos(std::clamp(d.dot(run_axis), -1.0, 1.0)), false};
-  const double base =
+  // An olet has a foot; a pipe set on its run has none.
+  const bool has_foot = component.keyword == "OLET" || component.keyword == "ELBOLET";
+  const double foot =
       std::clamp(1.4 * outlet.outer, outlet.outer, std::max(0.95 * run, outlet.outer));
+  const double base = has_foot ? foot : outlet.outer;
   return add_saddle_branch(shape.solid, run, base, outlet);
 }
 

@@ -67,6 +67,7 @@ class Reading {
     if (Status settled = settle_units(); !settled) return settled.error();
     apply_units();
     apply_materials();
+    seat_stubs();
     connect(out_);
     check_sizes(out_);
     name_welds_and_spools(out_);
@@ -330,6 +331,22 @@ class Reading {
       point.nps = nps;
       point.outside_diameter = diameter;
     });
+  }
+
+  // A tee whose run ends lie in its centre has no run of its own: it sits on the pipe there.
+  void seat_stubs() {
+    constexpr double kNoRun = 0.001;  // m
+    for (Component& each : out_.components) {
+      const bool is_stub =
+          each.kind == ComponentKind::kTee && each.centre && !each.branches.empty() &&
+          std::all_of(each.ends.begin(), each.ends.end(), [&](const PipePoint& end) {
+            return (end.position - each.centre->position).norm() < kNoRun;
+          });
+      if (!is_stub) continue;
+      each.kind = ComponentKind::kOlet;
+      each.ends.clear();
+      tell(each.line, mention(each) + " has its run in its centre; it is seated on the pipe there");
+    }
   }
 
   // Descriptions by item code, and out of them schedule and class.

@@ -118,6 +118,20 @@ TEST(JointGraph, SeatsBranchFittingsOnTheirRun) {
   EXPECT_EQ(problem_line(lost, "no CENTRE-POINT"), 7);
 }
 
+TEST(JointGraph, SeatsATeeWithoutARunOnThePipeUnderIt) {
+  const std::string stub =
+      "TEE-STUB\n  END-POINT 500 0 0 4\n  END-POINT 500 0 0 4\n  CENTRE-POINT 500 0 0\n"
+      "  BRANCH1-POINT 500 0 57.15 2\n";
+  for (const std::string& run : {pipe("0 0 0 4", "1000 0 0 4"),
+                                 pipe("0 0 0 4", "500 0 0 4") + pipe("500 0 0 4", "1000 0 0 4")}) {
+    const Pipework out = read_good(pcf(stub + run + pipe("500 0 57.15 2", "500 0 400 2")));
+    EXPECT_EQ(out.joints.size(), out.components.size() - 1) << test::all_problems(out);
+    EXPECT_EQ(problem_line(out, "is seated on the pipe there"), 4);
+    EXPECT_EQ(problem_line(out, "already meet"), -1);
+    EXPECT_EQ(out.spools.size(), 1u);
+  }
+}
+
 TEST(JointGraph, ReportsWeldsThatJoinNothing) {
   const Pipework out = read_good(
       pcf(pipe("0 0 0 4", "1000 0 0 4") + "WELD\n  CO-ORDS 500 0 0\n  SKEY WW\nWELD\n  SKEY WW\n"));
