@@ -124,6 +124,8 @@ class Checker {
 
   void check_flange(Component& each) {
     if (each.ends.empty()) return;
+    if (each.skey.substr(0, 2) == "FO" && each.taps.empty())
+      tell(each, "is an orifice flange without a TAP-CONNECTION; where its taps look is not known");
     const double nps = each.ends[each.face > 0 ? 1 : 0].nps;
     if (each.rating.empty() && out_.pipelines.size() > 0 && each.pipeline >= 0)
       each.rating = out_.pipelines[static_cast<std::size_t>(each.pipeline)].nominal_class;

@@ -170,6 +170,8 @@ TEST(SizeChecks, TrustTheDrawingAndSayWhatIsOdd) {
       {"PIPE SMLS SCH 40", "PIPE SMLS", "has no schedule in its text; STD is taken", "PIPE\n"},
       {"PIPE SMLS SCH 40", "PIPE SMLS SCH 140", "schedule '140' of NPS 3 is not in the catalogue",
        "PIPE\n"},
+      {"    TAP-CONNECTION\n        CO-ORDS       1553.9 2972.9 548.6 0.5\n", "",
+       "an orifice flange without a TAP-CONNECTION", "FLANGE\n    END-POINT         1500.0 2934"},
       {"CL150", "CL900", "class 900 of NPS 3 is not in the catalogue", "FLANGE\n"},
   };
   for (const auto& each : cases) {
