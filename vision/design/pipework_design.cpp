@@ -4,6 +4,7 @@
 #include "vision/design/pipework_design.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <utility>
 
@@ -153,10 +154,19 @@ Status design_of(const Pipework& pipework, DesignModel& design) {
   const std::size_t count = pipework.components.size();
   std::vector<std::optional<piping::PartShape>> shapes(count);
   std::vector<std::vector<piping::Problem>> found(count);
+  // build_mesh() would refuse them too, but a hostile file would fill the memory before.
+  std::atomic<std::size_t> triangles{0};
   parallel_chunks(count, 8, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
+    for (std::size_t c = begin; c < end && triangles <= kMaxDesignTriangles; ++c) {
       shapes[c] = piping::shape_of(pipework, static_cast<int>(c), found[c]);
+      if (shapes[c]) triangles += shapes[c]->solid.triangles.size();
+    }
   });
+  if (triangles > kMaxDesignTriangles) {
+    return Error{ErrorCode::kBadInput,
+                 design.path + " draws more than " + std::to_string(kMaxDesignTriangles) +
+                     " triangles; convert one spool of it at a time (spoolsight-convert --spool)"};
+  }
   std::vector<piping::Problem> problems = pipework.problems;
   for (const auto& each : found) problems.insert(problems.end(), each.begin(), each.end());
   std::stable_sort(problems.begin(), problems.end(),
