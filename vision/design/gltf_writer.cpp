@@ -166,7 +166,7 @@ tinygltf::Mesh part_mesh(const DesignModel& design, const Part& part, Packer& pa
       const auto [place, is_new] =
           places.emplace(vertex, static_cast<std::uint32_t>(points.size()));
       if (is_new)
-        points.push_back(
+        points.emplace_back(
             (T_part_design * design.mesh.vertices[vertex].cast<double>()).cast<float>());
       local[k] = place->second;
     }

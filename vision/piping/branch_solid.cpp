@@ -51,8 +51,9 @@ std::vector<Eigen::Vector3d> end_circle(const Outlet& outlet, double radius, dou
                                         int sides) {
   const OutletFrame frame(outlet);
   std::vector<Eigen::Vector3d> circle;
+  circle.reserve(static_cast<std::size_t>(sides));
   for (int k = 0; k < sides; ++k)
-    circle.push_back(distance * frame.d + frame.on_circle(radius, kTurn * k / sides));
+    circle.emplace_back(distance * frame.d + frame.on_circle(radius, kTurn * k / sides));
   return circle;
 }
 
