@@ -10,7 +10,7 @@ from pathlib import Path
 # Folders in the order of the data flow: a file may include its own folder and those listed for it.
 CORE = ["vision/core"]
 VISION = ["vision/core", "vision/piping", "vision/scan", "vision/design", "vision/fit", "vision/align", "vision/find",
-          "vision/inspect"]
+          "vision/inspect", "vision/measure"]
 MAY_INCLUDE = {
     "vision/core": CORE,
     "vision/piping": VISION[:2],
@@ -19,7 +19,8 @@ MAY_INCLUDE = {
     "vision/fit": VISION[:5],
     "vision/align": VISION[:6],
     "vision/find": VISION[:7],
-    "vision/inspect": VISION,
+    "vision/inspect": VISION[:8],
+    "vision/measure": VISION,
     "vision": VISION + ["vision"],
     "vision/live": VISION + ["vision", "vision/live"],
     "render": CORE + ["render"],

@@ -71,6 +71,9 @@ void print_summary(const evidence::InspectionRecord& record, bool has_pictures,
                 << ", 95 % within " << length_text(finding.deviation.p95_abs_m, style);
     std::cout << "\n";
   }
+  for (const auto& dimension : inspection.dimensions)
+    std::cout << "  " << dimension.kind << " " << dimension.name << ": " << name(dimension.status)
+              << ". " << dimension.reason << "\n";
   const auto& alignment = inspection.alignment;
   if (alignment.found && alignment.overlap > 0)
     std::cout << "alignment: " << name(alignment.method) << ", "
@@ -104,6 +107,10 @@ Result<int> inspect(const InspectOptions& options) {
   // The main path, for each design that may lie there.
   progress.report("design", 0);
   settings->single_frame = scan->single_frame;
+  const Calibration& sensor = calibration ? *calibration : scan->calibration;
+  settings->scale_u = sensor.scale_u;
+  settings->warp_u_m = sensor.warp_u_m;
+  settings->correlated = scan->correlated;
   const Watch watch{{},
                     [&](std::string_view stage, double share) { progress.report(stage, share); }};
   auto inspected = inspect_designs(options, *settings, scan->cloud, scan->noise,

@@ -4,11 +4,11 @@
 #include "tools/inspect_options.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <sstream>
 
 #include "app/common/cli.h"
 #include "app/common/json_file.h"
+#include "app/common/rule_file.h"
 
 namespace spool::tools {
 namespace {
@@ -27,10 +27,6 @@ std::string wrong_method(const std::string& text) {
                                   : text +
                                         " is no method; use find, three-point, pose or "
                                         "principal-axes";
-}
-
-bool is_known_standard(const std::string& standard) {
-  return standard == "pfi-es3" || standard == "iso-13920-BF";
 }
 
 }  // namespace
@@ -62,11 +58,15 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
   app.add_option("--pose", options.pose,
                  "Pose taken as given: {\"T_design_scan\": [16 numbers, row-major]} in metres")
       ->type_name("FILE");
-  app.add_option("--datum", options.datum,
-                 "Parts that the report names as datum; the design's own if not given")
+  app.add_option(
+         "--datum", options.datum,
+         "Flange that positions are relative to, the one of several that is known best; the "
+         "design's own if not given")
       ->type_name("PART[,PART]");
-  app.add_option("--standard", options.standard,
-                 "Tolerance rules that the report names: pfi-es3, iso-13920-BF or a file")
+  app.add_option(
+         "--standard", options.standard,
+         "Tolerances that dimensions are judged by: pfi-es3, iso-13920-BF (or other classes, A "
+         "to D and E to H) or a shop's own JSON")
       ->capture_default_str()
       ->type_name("NAME|FILE");
   app.add_option("--design-unit", options.design_unit, "Unit of the design's file: m, mm or in")
@@ -109,13 +109,6 @@ Status check(const InspectOptions& options) {
     return usage("--pose is for --align pose, not for --align " + method);
   if (method != "three-point" && !options.pairs.empty())
     return usage("--pairs is for --align three-point, not for --align " + method);
-  std::error_code ignored;
-  if (!is_known_standard(options.standard) &&
-      !std::filesystem::is_regular_file(options.standard, ignored))
-    return Error{
-        ErrorCode::kBadInput,
-        options.standard +
-            ": is no standard that is known and no file; use pfi-es3, iso-13920-BF or a file"};
   return {};
 }
 
@@ -123,6 +116,9 @@ Result<InspectorOptions> inspector_options(const InspectOptions& options) {
   InspectorOptions inspector;
   inspector.align = parse_align_method(method_text(options)).value();
   inspector.seed = options.seed;
+  auto rules = rules_of(options.standard);
+  if (!rules) return rules.error();
+  inspector.rules = std::move(*rules);
   if (!options.pairs.empty()) {
     auto pairs = read_pairs(options.pairs);
     if (!pairs) return pairs.error();

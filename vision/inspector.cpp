@@ -14,6 +14,8 @@
 #include "vision/inspect/missing_parts.h"
 #include "vision/inspect/scan_alignment.h"
 #include "vision/inspect/spool_findings.h"
+#include "vision/measure/dimensions.h"
+#include "vision/measure/judge_dimensions.h"
 
 namespace spool {
 namespace {
@@ -64,6 +66,32 @@ std::optional<DesignInSight> in_sight(const InspectorOptions& options, const Poi
   const Pose T_design_camera = between_local(alignment.T_design_scan, design.origin, scan.origin);
   return DesignInSight{Sight(scan.points), T_design_camera.inverse().cast<float>(),
                        deviation_bound(noise_m)};
+}
+
+// Why no dimension may be ok whatever was measured; empty where one may.
+std::string why_nothing_ok(const Alignment& alignment, const InspectorOptions& options) {
+  if (!options.units_confirmed) return "But a unit was guessed: say which it is.";
+  if (alignment.ambiguous && !alignment.is_symmetric)
+    return "But other poses explain the scan as well: pick three pairs.";
+  return "";
+}
+
+// The drawing's dimensions from features fitted to the parts, and what they say of the parts.
+void measure_drawing(const DesignModel& design, const InspectorOptions& options,
+                     Inspection& inspection) {
+  FeatureScan scan{inspection.scan_design, inspection.declutter.classes, inspection.deviations};
+  scan.correlated = options.correlated;
+  scan.warp_u_m = options.warp_u_m;
+  if (options.single_frame)  // the camera stands at the scan's origin
+    scan.eye = inspection.alignment.T_design_scan.translation() - design.origin;
+  const PartFeatures features = measure_features(design, scan);
+  const std::string nothing_ok = why_nothing_ok(inspection.alignment, options);
+  MeasuredDrawing measured =
+      measure_dimensions(design, drawing_of(design), features, options.rules,
+                         {.scale_u = options.scale_u, .nothing_ok = nothing_ok});
+  check_sizes(design, features, nothing_ok, inspection.parts);
+  inspection.dimensions = std::move(measured.dimensions);
+  inspection.datum = std::move(measured.datum);
 }
 
 }  // namespace
@@ -172,10 +200,14 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   judge_unexpected(design, inspection.unexpected, inspection.parts);
   judge_missing(design, missing, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
-  if (inspection.alignment.found)
+  if (inspection.alignment.found) {
     for (Finding& finding : spool_findings(design, inspection.pieces, inspection.unexpected,
                                            missing, inspection.parts))
       inspection.findings.push_back(std::move(finding));
+    measure_drawing(design, options, inspection);
+    clock.mark("measure");
+    judge_dimensions(design, inspection.dimensions, inspection.parts, inspection.findings);
+  }
   judge_whole(inspection, judging);
   clock.mark("judge");
   inspection.timing_s["total"] = clock.total_s();

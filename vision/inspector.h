@@ -15,6 +15,7 @@
 #include "vision/design/sampling.h"
 #include "vision/find/finder_model.h"
 #include "vision/inspect/inspection.h"
+#include "vision/measure/rules.h"
 #include "vision/scan/noise_model.h"
 
 namespace spool {
@@ -32,6 +33,10 @@ struct InspectorOptions {
   // the report.
   bool single_frame = false;
   std::uint32_t seed = 1;
+  RuleSet rules = pfi_es3();  // tolerances that dimensions are judged by
+  // What the sensor's calibration says, and how many neighbouring readings are worth one (of a
+  // depth image, correlated_readings(); of a cloud, 1).
+  double scale_u = 0.005, warp_u_m = 0, correlated = 1;
 };
 
 // What is prepared once a design. Shared by threads, immutable.
@@ -47,7 +52,7 @@ struct PreparedDesign {
       DesignModel model, std::uint32_t seed = 1, bool to_be_found = false);
 };
 
-// Runs the method of the thesis on one scan: align, declutter, measure, judge. Synchronous; const
+// One scan: align, declutter, measure, judge. Synchronous; const
 // and reentrant apart from the scratch it owns, so one inspector a thread.
 class Inspector {
  public:

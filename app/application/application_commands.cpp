@@ -11,6 +11,7 @@
 #include "vision/core/file_digest.h"
 #include "vision/core/file_io.h"
 #include "vision/scan/back_projection.h"
+#include "vision/scan/reading_noise.h"
 
 namespace spool {
 
@@ -265,6 +266,9 @@ void Application::start_check(bool final) {
   options.units_confirmed = !in_.design->model.unit_inferred;
   options.single_frame = true;
   options.posed_by = aligned_by_;
+  options.scale_u = in_.camera.calibration.scale_u;
+  options.warp_u_m = in_.camera.calibration.warp_u_m;
+  options.correlated = correlated_readings(in_.camera, 1);
   Pose T = state->T_design_camera;  // into the design file's own coordinates
   T.translation() += in_.design->model.origin;
   options.T_design_scan = T;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <numbers>
 
 #include "app/common/length_text.h"
 #include "app/evidence/html_parts.h"
@@ -120,6 +121,51 @@ std::string parts_section(const InspectionRecord& record) {
          "Seen is the share of the part's surface that has measured points near.</p>\n";
 }
 
+std::string dimension_rows(const Dimension& dimension, LengthStyle style) {
+  const auto text = [&](double value, bool with_sign) {
+    if (!dimension.is_angle)
+      return with_sign ? signed_length_text(value, style) : length_text(value, style);
+    char degrees[32];
+    std::snprintf(degrees, sizeof degrees, with_sign ? "%+.2f°" : "%.2f°",
+                  value * 180 / std::numbers::pi);
+    return std::string(degrees);
+  };
+  const auto cell = [&](bool is_known, const std::string& value) {
+    return "<td class=\"n\">" + (is_known ? escaped(value) : std::string("&ndash;")) + "</td>";
+  };
+  const bool measured = dimension.is_measured;
+  std::string html = "<tr class=\"head\"><td><b>" + escaped(dimension.name) + "</b></td><td>" +
+                     escaped(dimension.kind) + "</td><td>" + badge(dimension.status) + "</td>";
+  html += cell(true, text(dimension.nominal, false)) +
+          cell(measured, text(dimension.measured, false)) +
+          cell(measured, text(dimension.deviation, true)) +
+          cell(measured, text(2 * dimension.u.total(), false)) +
+          cell(dimension.tolerance > 0, text(dimension.tolerance, false)) + "<td>" +
+          escaped(dimension.rule) + "</td></tr>\n";
+  return html + "<tr class=\"why\"><td colspan=\"9\">" + escaped(dimension.reason) + "</td></tr>\n";
+}
+
+std::string dimensions_section(const InspectionRecord& record) {
+  std::vector<Dimension> dimensions = record.inspection.dimensions;
+  if (dimensions.empty()) return "";
+  std::stable_sort(dimensions.begin(), dimensions.end(),
+                   [](const Dimension& a, const Dimension& b) {
+                     return a.status != b.status && worse(a.status, b.status) == a.status;
+                   });
+  std::string html =
+      "<h2>Dimensions</h2>\n<div "
+      "class=\"wide\"><table><thead><tr><th>Dimension</th><th>Kind</th><th>Status</th>"
+      "<th class=\"n\">Drawing</th><th class=\"n\">Measured</th><th class=\"n\">Off by</th>"
+      "<th class=\"n\">U (k = 2)</th><th class=\"n\">Allowed "
+      "&plusmn;</th><th>Rule</th></tr></thead>"
+      "<tbody>\n";
+  for (const Dimension& dimension : dimensions) html += dimension_rows(dimension, style_of(record));
+  return html +
+         "</tbody></table></div>\n<p>Measured between features fitted to the points of the "
+         "parts, never from a best fit over everything. Datum: " +
+         escaped(record.inspection.datum) + "</p>\n";
+}
+
 std::string findings_section(const Inspection& inspection) {
   if (inspection.findings.empty()) return "";
   std::string html = "<h2>Findings</h2>\n<ul>";
@@ -166,10 +212,8 @@ std::string alignment_section(const InspectionRecord& record) {
 std::string meaning_section() {
   return "<h2>What the words mean</h2>\n<table class=\"facts\">\n<tr><td>" + badge(Verdict::kOk) +
          "</td><td>Proved within tolerance.</td></tr>\n<tr><td>" + badge(Verdict::kSuspicious) +
-         "</td><td>Seen, but not proved either way. Coloured distances to the surface show where "
-         "to look; they are no "
-         "measured dimension, and a best fit spreads one error over several parts. Check the part "
-         "by tape, square or "
+         "</td><td>Seen, but not proved either way: the reason says what would settle it. Coloured "
+         "distances to the surface are no measured dimension. Check the part by tape, square or "
          "level before it is welded or released.</td></tr>\n<tr><td>" +
          badge(Verdict::kNotOk) + "</td><td>Proved out of tolerance.</td></tr>\n<tr><td>" +
          badge(Verdict::kNotMeasured) +
@@ -232,7 +276,7 @@ std::string report_html(const InspectionRecord& record,
           escaped(file_name(record.scan.file));
   if (!record.created.empty()) html += " &middot; " + escaped(record.created);
   html += "</p>\n" + verdict_box(record.inspection) + warnings(record);
-  html += parts_section(record) + findings_section(record.inspection) +
+  html += dimensions_section(record) + parts_section(record) + findings_section(record.inspection) +
           pictures_section(pictures, record.inspection.alignment.found);
   html += alignment_section(record) + meaning_section() + sources_section(record);
   return html + "</body></html>\n";

@@ -109,6 +109,46 @@ json over_frames_json(const PartReading& reading) {
           {"coverage", number(reading.coverage)}};
 }
 
+json size_checks_json(const std::vector<SizeCheck>& checks) {
+  json list = json::array();
+  for (const SizeCheck& check : checks)
+    list.push_back({{"quantity", check.quantity},
+                    {"nominal_m", number(check.nominal_m)},
+                    {"measured_m", number(check.measured_m)},
+                    {"u_m", number(check.u_m)},
+                    {"status", name(check.status)},
+                    {"reason", check.reason}});
+  return list;
+}
+
+// Expanded uncertainties are printed as U = k u with this k.
+constexpr double kCoverageFactor = 2;
+
+json dimension_json(const Dimension& dimension) {
+  const std::string unit = dimension.is_angle ? "_rad" : "_m";
+  json object = {{"name", dimension.name},     {"kind", dimension.kind},
+                 {"from", dimension.from},     {"to", dimension.to},
+                 {"rule", dimension.rule},     {"status", name(dimension.status)},
+                 {"reason", dimension.reason}, {"nominal" + unit, number(dimension.nominal)}};
+  if (dimension.tolerance > 0) object["tolerance" + unit] = number(dimension.tolerance);
+  if (!dimension.is_measured) return object;
+  const UncertaintyBudget& u = dimension.u;
+  object["measured" + unit] = number(dimension.measured);
+  object["deviation" + unit] = number(dimension.deviation);
+  object["u" + unit] = number(u.total());
+  object["coverage_factor"] = kCoverageFactor;
+  object["budget" + unit] = {
+      {"fit", number(u.fit)}, {"scale", number(u.scale)}, {"warp", number(u.warp)}};
+  if (dimension.tolerance > 0) object["conformance_probability"] = number(dimension.probability);
+  return object;
+}
+
+json dimensions_json(const std::vector<Dimension>& dimensions) {
+  json list = json::array();
+  for (const Dimension& dimension : dimensions) list.push_back(dimension_json(dimension));
+  return list;
+}
+
 json part_json(const Part& part, const PartFinding& finding) {
   const auto& deviation = finding.deviation;
   const auto measured = [&](double value) {
@@ -125,16 +165,19 @@ json part_json(const Part& part, const PartFinding& finding) {
             {"rms_m", measured(deviation.rms_m)},
             {"p95_abs_m", measured(deviation.p95_abs_m)},
             {"max_abs_m", measured(deviation.max_abs_m)}}},
-          {"size_checks", json::array()}};
+          {"size_checks", size_checks_json(finding.size_checks)}};
 }
 
 }  // namespace
 
 std::string decision_rule() {
-  return "No dimension is compared with a tolerance. A part at a joint that is turned, of the "
-         "wrong length or exchanged is not_ok; a part of which enough was seen, or on which steel "
-         "too many sits, is suspicious; one of which too little was seen is not_measured; nothing "
-         "is ok.";
+  return "Dimensions are measured between features fitted to the parts and compared with their "
+         "tolerance by the probability of lying within it (JCGM 106): ok from 0.95 on, not_ok to "
+         "0.05, suspicious between, not_measured where a feature is missing; U = 2 u. A part that "
+         "answers for a dimension that is not_ok, is of another size, or sits at a joint that is "
+         "turned, of the wrong length or exchanged, is not_ok; else it is as its worst dimension; "
+         "one without a dimension, or on which steel too many sits, is suspicious; one of which "
+         "too little was seen is not_measured.";
 }
 
 std::string report_json(const InspectionRecord& record) {
@@ -162,7 +205,7 @@ std::string report_json(const InspectionRecord& record) {
       {"alignment", alignment_json(inspection.alignment)},
       {"declutter", declutter_json(inspection.declutter)},
       {"parts", parts},
-      {"dimensions", json::array()},
+      {"dimensions", dimensions_json(inspection.dimensions)},
       {"joints", json::array()},
       {"findings", findings},
       {"status", name(inspection.status)},
@@ -173,6 +216,7 @@ std::string report_json(const InspectionRecord& record) {
       {"decision_rule", decision_rule()},
       {"standard", record.standard},
       {"datum", record.datum},
+      {"datum_text", inspection.datum},
       {"warnings", record.warnings},
       {"software", {{"name", "SpoolSight"}, {"version", version()}, {"commit", commit()}}},
       {"sensor",

@@ -15,6 +15,7 @@
 #include "vision/scan/cloud_file.h"
 #include "vision/scan/noise_estimate.h"
 #include "vision/scan/normals.h"
+#include "vision/scan/reading_noise.h"
 
 namespace spool::evidence {
 namespace {
@@ -36,6 +37,9 @@ Result<ScanSnapshot> read_cloud_scan(const std::filesystem::path& path,
   scan.warnings = file->warnings;
   scan.noise_m = estimate_noise(file->cloud);
   scan.noise.constant_m = scan.noise_m;
+  // Stations that were merged lie off each other; how far nobody knows of a bare file. A quarter of
+  // the noise of a point is assumed, unless a calibration says more.
+  scan.calibration.warp_u_m = scan.noise_m / 4;
   scan.cloud = std::move(file->cloud);
   return scan;
 }
@@ -97,6 +101,7 @@ Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t numbe
   scan.record.frame = (*frame)->index;
   scan.sensor = (*source)->description();
   scan.calibration = camera.calibration;
+  scan.correlated = correlated_readings(camera, 1);
   scan.noise_m = scan.noise.axial_m(median_range(scan.cloud));
   scan.single_frame = true;
   scan.warnings.push_back("One frame of the recording is used, frame " +

@@ -21,8 +21,9 @@ namespace spool::evidence {
 struct ScanSnapshot {
   PointCloud
       cloud;  // m; a file's points in its order, NaN kept; a frame's measured points with normals
-  NoiseModel noise;    // of the sensor; of a cloud a constant found in the cloud itself
-  double noise_m = 0;  // m, of a typical point
+  NoiseModel noise;       // of the sensor; of a cloud a constant found in the cloud itself
+  double noise_m = 0;     // m, of a typical point
+  double correlated = 1;  // readings of a depth image that are worth one
   ScanRecord record;
   std::string sensor;
   Calibration calibration;

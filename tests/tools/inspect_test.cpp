@@ -186,6 +186,40 @@ TEST_F(Inspect, NamesDatumStandardCalibrationAndDisplayUnits) {
   EXPECT_NE(run.html.find("1/16&quot;"), std::string::npos);
 }
 
+TEST_F(Inspect, JudgesDimensionsByTheShopsOwnRulesFromTheDatumAsked) {
+  std::ofstream(folder_.path() / "shop.json")
+      << R"({"name": "Shop 7", "length_by_nps": {"clause": "4.1", "steps": [{"tolerance_mm": 2}]}})";
+  const auto sample = test::source_dir() / "assets" / "sample";
+  const auto run = test::run_inspect(
+      {"--design", (sample / "spool.glb").string(), "--scan", (sample / "recording").string(),
+       "--standard", at("shop.json"), "--datum", "F2"},
+      folder_.path() / "out");
+  ASSERT_TRUE(run.report["alignment"]["found"]) << run.report["alignment"]["reason"];
+  EXPECT_EQ(run.report["standard"], at("shop.json"));
+  // One frame from one side: the datum's face looks away, so nothing is said to be relative to it.
+  EXPECT_NE(run.report["datum_text"].get<std::string>().find("not measured"), std::string::npos);
+  std::size_t lengths = 0, measured = 0;
+  for (const auto& dimension : run.report["dimensions"]) {
+    if (dimension["kind"] == "offset") {
+      EXPECT_EQ(dimension["status"], "not_measured");
+    }
+    if (!dimension.contains("nominal_m") || dimension["kind"] == "offset") continue;
+    ++lengths;
+    EXPECT_EQ(dimension["rule"], "Shop 7 4.1");
+    EXPECT_DOUBLE_EQ(dimension["tolerance_m"].get<double>(), 0.002);
+    if (!dimension.contains("measured_m")) continue;
+    ++measured;
+    // As built in all but E2's roll.
+    EXPECT_LT(std::abs(dimension["deviation_m"].get<double>()), 2 * dimension["u_m"].get<double>());
+    // camera.json has no calibration: half a percent.
+    EXPECT_NEAR(dimension["budget_m"]["scale"].get<double>(),
+                0.005 * dimension["measured_m"].get<double>(), 1e-9);
+  }
+  EXPECT_EQ(lengths, 5U);
+  EXPECT_GE(measured, 1U);
+  EXPECT_NE(run.process.out.find("centre_to_centre E1/centre to T1/centre"), std::string::npos);
+}
+
 TEST_F(Inspect, RefusesPicksOnALineWithTheReasonInAReport) {
   std::ofstream(folder_.path() / "line.json") << R"({"pairs": [{"design": [0,0,0], "scan": [0,0,0]},
     {"design": [0.1,0,0], "scan": [0.1,0,0]}, {"design": [0.3,0,0], "scan": [0.3,0,0]}]})";

@@ -16,15 +16,11 @@
 #include "vision/inspect/chain_pieces.h"
 #include "vision/inspect/declutter.h"
 #include "vision/inspect/deviation.h"
+#include "vision/inspect/dimension.h"
 #include "vision/inspect/unexpected.h"
+#include "vision/inspect/verdict.h"
 
 namespace spool {
-
-enum class Verdict { kOk, kSuspicious, kNotOk, kNotMeasured };
-[[nodiscard]] std::string_view name(
-    Verdict verdict);  // "ok", "suspicious", "not_ok", "not_measured"
-// The worse of two in the order not_ok, suspicious, not_measured, ok (ARCHITECTURE, Command lines).
-[[nodiscard]] Verdict worse(Verdict a, Verdict b);
 
 enum class AlignMethod { kPose, kThreePoint, kPrincipalAxes, kFind };
 [[nodiscard]] std::string_view name(
@@ -52,6 +48,7 @@ struct PartFinding {
   Verdict status = Verdict::kNotMeasured;
   std::string reason;  // why not better, and what would settle it
   PartDeviation deviation;
+  std::vector<SizeCheck> size_checks;
 };
 
 struct Finding {
@@ -71,6 +68,8 @@ struct Inspection {
   std::vector<Piece> pieces;           // of the spool that are there, but elsewhere
   std::vector<Unexpected> unexpected;  // steel on it that the design does not have
   std::vector<PartFinding> parts;      // in the design's order
+  std::vector<Dimension> dimensions;   // of the drawing
+  std::string datum;  // what positions are relative to, or why there is nothing; empty: not asked
   std::vector<Finding> findings;
   Verdict status = Verdict::kNotMeasured;
   std::string status_reason;  // the first finding, then what was and was not judged

@@ -30,6 +30,22 @@ std::string what_was_found(const std::vector<Finding>& findings) {
   return text.empty() ? text : text + " ";
 }
 
+// "3 of 9 dimensions are within tolerance, 1 is not ok, ..."
+std::string dimensions_text(const std::vector<Dimension>& dimensions) {
+  std::size_t ok = 0, wrong = 0, open = 0, unseen = 0;
+  for (const Dimension& dimension : dimensions) {
+    ok += dimension.status == Verdict::kOk ? 1U : 0U;
+    wrong += dimension.status == Verdict::kNotOk ? 1U : 0U;
+    open += dimension.status == Verdict::kSuspicious ? 1U : 0U;
+    unseen += dimension.status == Verdict::kNotMeasured ? 1U : 0U;
+  }
+  if (dimensions.size() == unseen)
+    return "No dimension of the drawing was measured, so no tolerance is judged";
+  return "Of " + std::to_string(dimensions.size()) + " dimensions " + std::to_string(ok) +
+         " are proved within tolerance and " + std::to_string(wrong) + " out of it, " +
+         std::to_string(open) + " cannot be told, " + std::to_string(unseen) + " were not measured";
+}
+
 PartFinding judge_part(const PartDeviation& deviation, const JudgeOptions& options) {
   PartFinding finding;
   finding.deviation = deviation;
@@ -42,9 +58,10 @@ PartFinding judge_part(const PartDeviation& deviation, const JudgeOptions& optio
                      std::to_string(deviation.points) + " points); scan it from more sides.";
   } else {
     finding.status = Verdict::kSuspicious;
-    finding.reason = "Seen (" + percent(deviation.coverage) +
-                     " of its surface), but its features are not fitted yet, so its tolerances are "
-                     "not judged; measure it by hand.";
+    finding.reason =
+        "Seen (" + percent(deviation.coverage) +
+        " of its surface), but no dimension of the drawing was measured at it; measure it "
+        "by hand.";
   }
   return finding;
 }
@@ -96,14 +113,15 @@ void judge_whole(Inspection& inspection, const JudgeOptions& options) {
     status = worse(status, part.status);
     seen += is_seen(part.deviation, options) ? 1U : 0U;
   }
+  for (const Dimension& dimension : inspection.dimensions) status = worse(status, dimension.status);
   if (!options.units_confirmed || inspection.alignment.ambiguous)
     status = worse(status, Verdict::kSuspicious);
   inspection.status = status;
-  inspection.status_reason =
-      what_was_found(inspection.findings) +
-      "Features are not fitted yet, so no tolerance is judged; " + std::to_string(seen) + " of " +
-      std::to_string(inspection.parts.size()) + " parts were seen well enough to compare" +
-      (options.single_frame ? ", in one frame of the sequence." : ".");
+  inspection.status_reason = what_was_found(inspection.findings) +
+                             dimensions_text(inspection.dimensions) + "; " + std::to_string(seen) +
+                             " of " + std::to_string(inspection.parts.size()) +
+                             " parts were seen well enough to compare" +
+                             (options.single_frame ? ", in one frame of the sequence." : ".");
 }
 
 }  // namespace spool

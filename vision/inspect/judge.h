@@ -19,9 +19,9 @@ struct JudgeOptions {
   bool single_frame = false;
 };
 
-// One entry a part in the design's order. Tolerances are judged on fitted features only (promise
-// 2), and none are fitted here: a part that was seen is suspicious, one that was not is
-// not_measured.
+// One entry a part in the design's order. Tolerances are judged on fitted features only
+// (vision/measure), and none are fitted here: a part that was seen is suspicious, one that was not
+// is not_measured.
 [[nodiscard]] std::vector<PartFinding> judge_parts(const DesignModel& design,
                                                    const std::vector<PartDeviation>& deviations,
                                                    const Alignment& alignment,
@@ -31,7 +31,7 @@ struct JudgeOptions {
 [[nodiscard]] std::vector<Finding> collect_findings(const Alignment& alignment,
                                                     const JudgeOptions& options = {});
 
-// The worst of the parts in the order of worse(), and one sentence why.
+// The worst of parts and dimensions in the order of worse(), and one sentence why.
 void judge_whole(Inspection& inspection, const JudgeOptions& options = {});
 
 }  // namespace spool

@@ -56,6 +56,21 @@ TEST(ReportHtml, SaysStatusReasonPartsAndInputs) {
     EXPECT_TRUE(contains(html, text)) << text;
 }
 
+TEST(ReportHtml, SaysEveryDimensionWithItsDoubtAndRule) {
+  auto record = test::sample_record();
+  record.inspection.dimensions = test::sample_dimensions();
+  record.inspection.datum = "base/face and the axis of the pipe on it";
+  const std::string html = report_html(record, {picture()});
+  for (const std::string& text :
+       {std::string("base/face to post/centre"), std::string("506.1 mm"), std::string("+6.1 mm"),
+        std::string("1.0 mm"), std::string("PFI ES-3 2.2"), std::string("90.00°"),
+        std::string("nobody looked"), std::string("base/face and the axis")})
+    EXPECT_TRUE(contains(html, text)) << text;
+  // The worst first.
+  EXPECT_LT(html.find("centre_to_face"), html.find("<td>angle"));
+  EXPECT_FALSE(contains(report_html(test::sample_record(), {picture()}), "<h2>Dimensions"));
+}
+
 TEST(ReportHtml, PutsTheWorstPartFirst) {
   // suspicious outranks not_measured (ARCHITECTURE, Command lines), so "base" comes first; made
   // worse, "post" does.

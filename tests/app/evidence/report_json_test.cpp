@@ -81,6 +81,37 @@ TEST(ReportJson, HoldsTheNumbersOfTheInspection) {
   EXPECT_EQ(report["parts"][1]["status"], "not_measured");
 }
 
+TEST(ReportJson, HoldsEveryDimensionInItsUnitAndNoNumberThatWasNotMeasured) {
+  auto record = test::sample_record();
+  record.inspection.dimensions = test::sample_dimensions();
+  record.inspection.datum = "base/face and the axis of the pipe on it";
+  record.inspection.parts[0].size_checks = {
+      {"outside_diameter", 0.1143, 0.1016, 0.0002, Verdict::kNotOk, "another size"}};
+  const auto report = report_of(record);
+  expect_valid(report);
+  EXPECT_EQ(report["datum_text"], record.inspection.datum);
+  EXPECT_EQ(report["parts"][0]["size_checks"][0]["measured_m"], 0.1016);
+  ASSERT_EQ(report["dimensions"].size(), 3U);
+  const auto& length = report["dimensions"][0];
+  EXPECT_EQ(length["measured_m"], 0.5061);
+  EXPECT_DOUBLE_EQ(length["u_m"].get<double>(), 0.0005);
+  EXPECT_EQ(length["budget_m"]["scale"], 0.0004);
+  EXPECT_EQ(length["coverage_factor"], 2);
+  EXPECT_EQ(length["tolerance_m"], 0.003);
+  EXPECT_EQ(length["rule"], "PFI ES-3 2.2");
+  EXPECT_EQ(length["conformance_probability"], 0.001);
+  EXPECT_EQ(length["status"], "not_ok");
+  const auto& angle = report["dimensions"][1];
+  EXPECT_TRUE(angle.contains("measured_rad"));
+  EXPECT_FALSE(angle.contains("measured_m"));
+  EXPECT_FALSE(angle.contains("tolerance_rad"));
+  EXPECT_FALSE(angle.contains("conformance_probability"));
+  const auto& unseen = report["dimensions"][2];
+  EXPECT_FALSE(unseen.contains("measured_rad"));
+  EXPECT_FALSE(unseen.contains("u_rad"));
+  EXPECT_EQ(unseen["tolerance_rad"], 0.0039);
+}
+
 TEST(ReportJson, GivesNullForWhatWasNotMeasured) {
   auto record = test::sample_record();
   record.inspection.scan_rms_m = std::numeric_limits<double>::quiet_NaN();

@@ -82,4 +82,38 @@ evidence::InspectionRecord sample_record() {
   return record;
 }
 
+std::vector<Dimension> sample_dimensions() {
+  Dimension length;
+  length.name = "base/face to post/centre";
+  length.kind = "centre_to_face";
+  length.from = "base/face";
+  length.to = "post/centre";
+  length.nominal = 0.5;
+  length.is_measured = true;
+  length.measured = 0.5061;
+  length.deviation = 0.0061;
+  length.u = {0.0003, 0.0004, 0};
+  length.tolerance = 0.003;
+  length.rule = "PFI ES-3 2.2";
+  length.probability = 0.001;
+  length.status = Verdict::kNotOk;
+  length.reason = "Off by 6.1 mm.";
+  Dimension angle = length;
+  angle.kind = "angle";
+  angle.is_angle = true;
+  angle.nominal = angle.measured = 1.5707963;
+  angle.deviation = 0;
+  angle.tolerance = 0;
+  angle.rule = "the rules give it no tolerance";
+  angle.status = Verdict::kSuspicious;
+  Dimension unseen = length;
+  unseen.kind = "face_alignment";
+  unseen.is_angle = true;
+  unseen.is_measured = false;
+  unseen.tolerance = 0.0039;
+  unseen.status = Verdict::kNotMeasured;
+  unseen.reason = "Not measured: nobody looked.";
+  return {length, angle, unseen};
+}
+
 }  // namespace spool::test

@@ -21,4 +21,7 @@ void add_box(DesignModel& model, const std::string& name, const Eigen::Vector3d&
 // order: base, base, NaN, clutter, contradicting (post).
 [[nodiscard]] evidence::InspectionRecord sample_record();
 
+// A length that is too long, an angle that cannot be told, a face that was not seen.
+[[nodiscard]] std::vector<Dimension> sample_dimensions();
+
 }  // namespace spool::test

@@ -43,7 +43,7 @@ TEST(Judge, SeenIsSuspiciousUnseenIsNotMeasuredNothingIsOk) {
   const auto parts = judge_parts(design, deviations, alignment);
   ASSERT_EQ(parts.size(), 3U);
   EXPECT_EQ(parts[0].status, Verdict::kSuspicious);
-  EXPECT_NE(parts[0].reason.find("features are not fitted yet"), std::string::npos);
+  EXPECT_NE(parts[0].reason.find("no dimension of the drawing was measured"), std::string::npos);
   EXPECT_EQ(parts[1].status, Verdict::kNotMeasured);
   EXPECT_EQ(parts[1].reason,
             "Only 5 % of its surface was seen (500 points); scan it from more sides.");
@@ -56,8 +56,8 @@ TEST(Judge, SeenIsSuspiciousUnseenIsNotMeasuredNothingIsOk) {
   EXPECT_EQ(inspection.status, Verdict::kSuspicious);
   EXPECT_EQ(
       inspection.status_reason,
-      "Features are not fitted yet, so no tolerance is judged; 1 of 3 parts were seen well enough "
-      "to compare.");
+      "No dimension of the drawing was measured, so no tolerance is judged; 1 of 3 parts were seen "
+      "well enough to compare.");
 }
 
 TEST(Judge, TheReasonLeadsWithWhatWasFoundAndCountsOnlyWhatWasSeen) {
@@ -71,12 +71,34 @@ TEST(Judge, TheReasonLeadsWithWhatWasFoundAndCountsOnlyWhatWasSeen) {
                          {"misplaced", "elbow", "elbow is turned.", ""}};
   judge_whole(inspection);
   EXPECT_EQ(inspection.status, Verdict::kNotOk);
-  EXPECT_EQ(inspection.status_reason,
-            "elbow is turned. Features are not fitted yet, so no tolerance is judged; 1 of 2 parts "
-            "were seen well enough to compare.");
+  EXPECT_EQ(
+      inspection.status_reason,
+      "elbow is turned. No dimension of the drawing was measured, so no tolerance is judged; 1 "
+      "of 2 parts were seen well enough to compare.");
   inspection.findings.push_back({"missing", "cap", "cap is missing.", ""});
   judge_whole(inspection);
-  EXPECT_EQ(inspection.status_reason.find("elbow is turned. (and 1 more finding) Features"), 0U);
+  EXPECT_EQ(inspection.status_reason.find("elbow is turned. (and 1 more finding) No dimension"),
+            0U);
+}
+
+TEST(Judge, TheWholeIsNoBetterThanItsDimensionsAndCountsThem) {
+  Inspection inspection;
+  inspection.alignment.found = true;
+  inspection.parts.resize(1);
+  inspection.parts[0].status = Verdict::kOk;
+  inspection.parts[0].deviation = {.points = 500, .coverage = 0.5};
+  inspection.dimensions.resize(3);
+  inspection.dimensions[0].status = inspection.dimensions[1].status = Verdict::kOk;
+  inspection.dimensions[2].status = Verdict::kSuspicious;
+  judge_whole(inspection);
+  EXPECT_EQ(inspection.status, Verdict::kSuspicious);
+  EXPECT_EQ(
+      inspection.status_reason,
+      "Of 3 dimensions 2 are proved within tolerance and 0 out of it, 1 cannot be told, 0 were "
+      "not measured; 1 of 1 parts were seen well enough to compare.");
+  inspection.dimensions[2].status = Verdict::kOk;
+  judge_whole(inspection);
+  EXPECT_EQ(inspection.status, Verdict::kOk);
 }
 
 TEST(Judge, WithoutAPoseNothingIsMeasured) {

@@ -1,0 +1,79 @@
+// The main path on a spool with a drawing: from a scan to verdicts on its dimensions and parts.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/vision/measure/two_flange_spool.h"
+#include "vision/inspector.h"
+
+namespace spool {
+namespace {
+
+Inspection inspected(const test::SpoolScan& built, InspectorOptions options = {.scale_u = 0.0002}) {
+  DesignModel model = test::two_flange_spool();
+  model.origin = {100, 20, -3};  // a plant's coordinates
+  const auto design = PreparedDesign::prepare(std::move(model));
+  EXPECT_TRUE(design);
+  std::mt19937 random{1};
+  const Pose T_scan_design = test::random_motion(1.5, 1.0, random);
+  PointCloud scan = moved(test::scan_of_spool(built), T_scan_design);
+  options.align = AlignMethod::kPose;
+  Pose T_design_scan = T_scan_design.inverse();
+  T_design_scan.pretranslate(Eigen::Vector3d(100, 20, -3));
+  options.T_design_scan = T_design_scan;
+  const auto inspection = Inspector(*design).process(scan, {.constant_m = 0.0005}, options);
+  EXPECT_TRUE(inspection);
+  return *inspection;
+}
+
+const PartFinding& part(const Inspection& inspection, int index) {
+  return inspection.parts[static_cast<std::size_t>(index)];
+}
+
+TEST(InspectorMeasures, ASpoolAsDrawnIsOkWhereItWasSeen) {
+  const Inspection found = inspected({});
+  ASSERT_EQ(found.dimensions.size(), 6U);
+  for (const Dimension& dimension : found.dimensions)
+    EXPECT_EQ(dimension.status, Verdict::kOk) << dimension.name << ": " << dimension.reason;
+  for (const int p : {test::kFlangeA, test::kPipe1, test::kPipe2, test::kFlangeB})
+    EXPECT_EQ(part(found, p).status, Verdict::kOk) << part(found, p).reason;
+  // The elbow has no surface here.
+  EXPECT_EQ(part(found, test::kElbow).status, Verdict::kNotMeasured);
+  EXPECT_EQ(found.status, Verdict::kNotMeasured);
+  EXPECT_EQ(found.datum.find("flange_"), 0U);
+  EXPECT_TRUE(found.timing_s.contains("measure"));
+}
+
+TEST(InspectorMeasures, APipeCutTooLongIsNotOkWithAFinding) {
+  test::SpoolScan built;
+  built.T_design_built[test::kFlangeB] = Pose(Eigen::Translation3d(0.0045, 0, 0));
+  const Inspection found = inspected(built);
+  EXPECT_EQ(found.status, Verdict::kNotOk);
+  EXPECT_EQ(part(found, test::kPipe2).status, Verdict::kNotOk);
+  EXPECT_EQ(part(found, test::kPipe1).status, Verdict::kOk);
+  const auto misplaced = [](const Inspection& inspection) {
+    std::string names;
+    for (const Finding& finding : inspection.findings)
+      if (finding.kind == "misplaced") names += finding.part + " ";
+    return names;
+  };
+  EXPECT_EQ(misplaced(found), "pipe_2 ");
+  // The rules that are given decide: ISO 13920's class B allows 3 mm, class D 9 mm.
+  EXPECT_EQ(misplaced(inspected(built, {.rules = iso_13920('B', 'F'), .scale_u = 0.0002})),
+            "pipe_2 ");
+  EXPECT_EQ(misplaced(inspected(built, {.rules = iso_13920('D', 'F'), .scale_u = 0.0002})), "");
+}
+
+TEST(InspectorMeasures, AGuessedUnitAndAnUncalibratedSensorAreNotOk) {
+  for (const InspectorOptions& options :
+       {InspectorOptions{.units_confirmed = false, .scale_u = 0.0002}, InspectorOptions{}}) {
+    const Inspection found = inspected({}, options);
+    EXPECT_EQ(found.status, Verdict::kSuspicious);
+    EXPECT_EQ(part(found, test::kPipe1).status, Verdict::kSuspicious);
+  }
+}
+
+}  // namespace
+}  // namespace spool

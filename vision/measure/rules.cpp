@@ -1,0 +1,52 @@
+// What a set of tolerances says of a length, a facing, an angle.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "vision/measure/rules.h"
+
+#include <algorithm>
+
+namespace spool {
+namespace {
+
+std::string cited(const RuleSet& rules, const std::string& clause) {
+  return clause.empty() ? rules.name : rules.name + " " + clause;
+}
+
+}  // namespace
+
+std::optional<double> ToleranceTable::at(double value) const {
+  for (const ToleranceStep& step : steps)
+    if (value <= step.up_to) return step.tolerance;
+  return std::nullopt;
+}
+
+std::optional<Tolerance> length_tolerance(const RuleSet& rules, double nps, double length_m,
+                                          int fittings) {
+  std::optional<double> value = rules.length_by_nps.at(nps);
+  const ToleranceTable& table = value ? rules.length_by_nps : rules.length_by_length;
+  if (!value) value = rules.length_by_length.at(length_m);
+  if (!value) return std::nullopt;
+  Tolerance tolerance{*value, cited(rules, table.clause)};
+  if (fittings > 0 && rules.fitting_allowance_m > 0) {
+    tolerance.value += fittings * rules.fitting_allowance_m;
+    tolerance.rule += ", fitting to fitting";
+  }
+  return tolerance;
+}
+
+std::optional<Tolerance> alignment_tolerance(const RuleSet& rules, double diameter_m) {
+  const std::optional<double> across_m = rules.alignment.at(diameter_m);
+  if (!across_m || !(diameter_m > 0)) return std::nullopt;
+  return Tolerance{std::max(rules.alignment_slope, *across_m / diameter_m),
+                   cited(rules, rules.alignment.clause)};
+}
+
+std::optional<Tolerance> angle_tolerance(const RuleSet& rules, double shorter_leg_m,
+                                         double diameter_m) {
+  if (rules.angle.steps.empty()) return alignment_tolerance(rules, diameter_m);
+  const std::optional<double> value = rules.angle.at(shorter_leg_m);
+  if (!value) return std::nullopt;
+  return Tolerance{*value, cited(rules, rules.angle.clause)};
+}
+
+}  // namespace spool
