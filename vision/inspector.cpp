@@ -77,11 +77,12 @@ std::string why_nothing_ok(const Alignment& alignment, const InspectorOptions& o
 }
 
 // The drawing's dimensions from features fitted to the parts, and what they say of the parts.
-void measure_drawing(const DesignModel& design, const InspectorOptions& options,
+void measure_drawing(const DesignModel& design, const InspectorOptions& options, double noise_m,
                      Inspection& inspection) {
   FeatureScan scan{inspection.scan_design, inspection.declutter.classes, inspection.deviations};
   scan.correlated = options.correlated;
   scan.warp_u_m = options.warp_u_m;
+  scan.bound_m = static_cast<double>(deviation_bound(noise_m));
   if (options.single_frame)  // the camera stands at the scan's origin
     scan.eye = inspection.alignment.T_design_scan.translation() - design.origin;
   const PartFeatures features = measure_features(design, scan);
@@ -204,7 +205,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     for (Finding& finding : spool_findings(design, inspection.pieces, inspection.unexpected,
                                            missing, inspection.parts))
       inspection.findings.push_back(std::move(finding));
-    measure_drawing(design, options, inspection);
+    measure_drawing(design, options, noise_m, inspection);
     clock.mark("measure");
     judge_dimensions(design, inspection.dimensions, inspection.parts, inspection.findings);
   }

@@ -74,6 +74,10 @@ struct Fitted {
   PatchScatter scatter;
 };
 
+// A surface so far off that its noise reaches over the bound has lost points there, and what is
+// left is drawn towards the design.
+bool is_cut(double off_m, double sigma_m, double bound_m) { return off_m + 3 * sigma_m > bound_m; }
+
 // Where a point lies on a pipe: slices along it, sectors about it.
 class PipePatches {
  public:
@@ -132,7 +136,8 @@ std::vector<Eigen::Vector3f> without_bore(const PipeShape& shape, const Cylinder
 }
 
 std::optional<Fitted> fit_axis(const PipeShape& shape, const std::vector<Reading>& readings,
-                               bool is_from_one_side, double correlated, std::string& why) {
+                               bool is_from_one_side, double correlated, double bound_m,
+                               std::string& why) {
   // Near a weld points may be the neighbour's, and the neighbour may be off.
   const double margin = std::min(0.010, shape.length_m / 4);
   std::vector<Eigen::Vector3f> points;
@@ -171,6 +176,12 @@ std::optional<Fitted> fit_axis(const PipeShape& shape, const std::vector<Reading
   for (const std::uint32_t i : fit.inliers)
     fitted.scatter.add(patches.of(points[i]), fit.distance(points[i].cast<double>()));
   fitted.scatter.finish(5, correlated);
+  const Vector3d off = (fit.centre() - shape.start).cross(shape.axis);
+  const double lean = fit.axis().cross(shape.axis).norm();
+  if (is_cut(off.norm() + lean * shape.length_m / 2, fit.sigma_m, bound_m)) {
+    why = "it lies too far from where the design has it";
+    return std::nullopt;
+  }
   PartFeature& feature = fitted.feature;
   if (freed.is_determined) {
     feature.radius_m = freed.radius_m;
@@ -213,7 +224,8 @@ bool is_steel_in_front(const PartFeature& face, const FaceShape& shape, const Po
 }
 
 std::optional<Fitted> fit_face(const FaceShape& shape, const std::vector<Reading>& readings,
-                               double correlated, const PointCloud& scan, std::string& why) {
+                               double correlated, double bound_m, const PointCloud& scan,
+                               std::string& why) {
   constexpr double kRim = 0.005;     // m; of a face that stands off, points there may be the rim's
   constexpr double kOnLevel = 2e-4;  // m
   std::vector<Eigen::Vector3f> points;
@@ -271,6 +283,12 @@ std::optional<Fitted> fit_face(const FaceShape& shape, const std::vector<Reading
   }
   feature.is_observed = {false, false, true, true, true, false};
   feature.points = fit.inliers.size();
+  const double lean = fit.normal().cross(shape.normal).norm();
+  if (is_cut(std::abs(off.dot(shape.normal)) + lean * shape.flange_radius_m, fit.sigma_m,
+             bound_m)) {
+    why = "it lies too far from where the design has it";
+    return std::nullopt;
+  }
   if (is_steel_in_front(feature, shape, scan)) {
     why = "steel stands in front of what lies where its face should be";
     return std::nullopt;
@@ -324,9 +342,11 @@ PartFeatures measure_features(const DesignModel& design, const FeatureScan& scan
   for (std::size_t p = 0; p < design.parts.size(); ++p) {
     std::optional<Fitted> fitted;
     if (const auto pipe = pipe_shape(design, static_cast<int>(p)))
-      fitted = fit_axis(*pipe, readings[p], scan.eye.has_value(), scan.correlated, all.why_not[p]);
+      fitted = fit_axis(*pipe, readings[p], scan.eye.has_value(), scan.correlated, scan.bound_m,
+                        all.why_not[p]);
     else if (const auto face = face_shape(design, static_cast<int>(p)))
-      fitted = fit_face(*face, readings[p], scan.correlated, scan.scan_design, all.why_not[p]);
+      fitted = fit_face(*face, readings[p], scan.correlated, scan.bound_m, scan.scan_design,
+                        all.why_not[p]);
     if (!fitted) continue;
     fitted->feature.part = static_cast<int>(p);
     pool.add(fitted->scatter);

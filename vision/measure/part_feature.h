@@ -48,6 +48,7 @@ struct FeatureScan {
   std::optional<Eigen::Vector3d> eye;   // of a single camera, m, design frame
   double correlated = 1;                // readings that are worth one
   double warp_u_m = 0;                  // of the sensor
+  double bound_m = 0.02;                // further from the design no point is a part's
 };
 
 struct PartFeatures {

@@ -92,6 +92,27 @@ TEST(PartFeatures, AFlangesBackIsNotItsFace) {
       << features.why_not[test::kFlangeB];
 }
 
+TEST(PartFeatures, WhatIsCutOffByTheBoundIsNotMeasured) {
+  const DesignModel design = test::two_flange_spool();
+  test::SpoolScan scan;
+  scan.noise_m = 0.002;
+  // Of 16 mm and 2 mm of noise the bound of 20 mm takes a fortieth of the readings, all on one
+  // side.
+  scan.T_design_built[test::kFlangeB] = Pose(Eigen::Translation3d(0.016, 0, 0));
+  scan.T_design_built[test::kPipe1] = Pose(Eigen::Translation3d(0, 0.016, 0));
+  const PartFeatures cut = test::features_of(design, scan);
+  for (const int part : {test::kFlangeB, test::kPipe1}) {
+    EXPECT_EQ(cut.of(part), -1);
+    EXPECT_NE(cut.why_not[static_cast<std::size_t>(part)].find("too far"), std::string::npos)
+        << cut.why_not[static_cast<std::size_t>(part)];
+  }
+  scan.T_design_built[test::kFlangeB] = Pose(Eigen::Translation3d(0.008, 0, 0));
+  scan.T_design_built[test::kPipe1] = Pose(Eigen::Translation3d(0, 0.008, 0));
+  const PartFeatures whole = test::features_of(design, scan);
+  EXPECT_NEAR(feature_of(whole, test::kFlangeB).T_design_measured.translation().x(), 0.688, 5e-4);
+  EXPECT_NEAR(axis_off(feature_of(whole, test::kPipe1)), 0.008, 5e-4);
+}
+
 TEST(PartFeatures, OfOneCameraWhatFacesAwayOrGrazesIsLeftOut) {
   const DesignModel design = test::two_flange_spool();
   const PointCloud scan = test::scan_of_spool({});
