@@ -41,6 +41,9 @@ struct SceneRequest {
   double completeness = 1;  // share of the object's points that is left, the rest cut off in whole
                             // pieces
   std::vector<Defect> defects = {};
+  // What every shop is off by: standard deviations of each weld, along and about each axis of its
+  // port, and of each pipe's cut length.
+  double joint_m = 0, joint_rad = 0, cut_m = 0;
 };
 
 // One object of the design that stands in the scene.

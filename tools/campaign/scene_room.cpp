@@ -108,6 +108,21 @@ void furnish(const SceneRequest& request, double area, const Assembly& design, S
   add_items(left, floor, sizes, random, stage.room);
 }
 
+// Every weld and cut a little off.
+void weld(const SceneRequest& request, Assembly& as_built) {
+  Random random(request.seed, kWelding);
+  for (Member& member : as_built.members) {
+    if (member.spec.kind == PartKind::kPipe)
+      member.spec.length_m += request.cut_m * random.normal();
+    if (member.parent < 0 || member.parent_port < 0) continue;
+    const Vector3d shift = request.joint_m * random.normals();
+    const Vector3d turn = request.joint_rad * random.normals();
+    Pose error(Eigen::Translation3d{shift});
+    if (turn.norm() > 0) error.rotate(Eigen::AngleAxisd(turn.norm(), turn.normalized()));
+    member.joint_error = error * member.joint_error;
+  }
+}
+
 }  // namespace
 
 SceneRoom make_room(const SceneRequest& request) {
@@ -116,6 +131,8 @@ SceneRoom make_room(const SceneRequest& request) {
   scene.design = design_of(request.kind, request.seed, request.braced);
   scene.as_built =
       with_defects(scene.design, Random(request.seed, kDefects), scene.request.defects);
+  if (request.joint_m > 0 || request.joint_rad > 0 || request.cut_m > 0)
+    weld(request, scene.as_built);
   scene.symmetries = symmetries_of(scene.design);
   Stage stage = place_objects(request, scene);
   Random random(request.seed, kStations);

@@ -20,7 +20,8 @@ enum Stream : std::uint64_t {
   kShuffling,
   kDefects,
   kThinning,
-  kBumping
+  kBumping,
+  kWelding
 };
 
 // The scene's truth without its points, and everything that stands there.

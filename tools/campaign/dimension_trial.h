@@ -1,0 +1,41 @@
+// One spool as a shop builds it, scanned and inspected: each dimension that was stated beside its
+// truth.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/campaign/scene.h"
+#include "vision/core/result.h"
+#include "vision/inspect/dimension.h"
+
+namespace spool::campaign {
+
+struct DimensionRow {
+  std::string name;
+  SceneRequest request;
+  double scale_u = 0.0005;    // stated; the sensor's own scale is drawn from it
+  double warp_u_m = 0;        // stated
+  bool single_frame = false;  // one depth image in place of a cloud
+};
+[[nodiscard]] std::vector<DimensionRow> dimension_rows();
+
+struct TriedDimension {
+  Dimension stated;
+  std::optional<double> truth;  // of the deviation (m, rad); nothing where it is not defined here
+};
+
+struct TriedSpool {
+  std::vector<TriedDimension> dimensions;
+  std::vector<std::string> wrong_parts;  // that were called not_ok
+  std::vector<Defect> defects;
+};
+
+// The pose is given, true at the first part; measured and truth share no code but the names.
+[[nodiscard]] Result<TriedSpool> run_dimensions(const DimensionRow& row, std::uint32_t seed);
+
+}  // namespace spool::campaign
