@@ -31,10 +31,8 @@ std::optional<DistanceVolume::Reading> DistanceVolume::at(const Eigen::Vector3f&
     return std::nullopt;
   std::uint32_t word = grid.data[grid.place(cube[0], cube[1], cube[2])];
   within -= cube.cast<float>();
-  float side_m = cell_m;
   for (int level = 0; level < kMostLevels && leads_to(word, VolumeWord::kBlock); ++level) {
     within *= 2;
-    side_m *= 0.5F;
     cube = within.cast<int>().min(1);
     within -= cube.cast<float>();
     const Eigen::Array3i node = 2 * place_of(word) + cube;
