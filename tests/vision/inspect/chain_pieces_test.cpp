@@ -19,6 +19,7 @@ namespace spool {
 namespace {
 
 using Eigen::Vector3d;
+using test::jointed;
 using test::JointedSpool;
 using test::kArm;
 using test::kEnd;
@@ -29,11 +30,6 @@ using test::kTip;
 
 constexpr double kNoise = 0.001;  // m
 const std::vector<bool> kAll(6, true);
-
-const JointedSpool& jointed() {
-  static const JointedSpool spool;
-  return spool;
-}
 
 Explanation explain(const PointCloud& scan) {
   const ExplainedScan explained{scan, kNoise, true};

@@ -16,6 +16,7 @@ namespace spool {
 namespace {
 
 using Eigen::Vector3d;
+using test::jointed;
 using test::JointedSpool;
 using test::kArm;
 using test::kEnd;
@@ -27,11 +28,6 @@ using test::kTip;
 constexpr float kVariance = 1e-6F;  // m^2: noise of 1 mm
 constexpr double kDegree = std::numbers::pi / 180;
 const std::vector<bool> kAll(6, true);
-
-const JointedSpool& jointed() {
-  static const JointedSpool spool;
-  return spool;
-}
 
 // Shows the fit the scan where it is now, several times over, and moves it as the fit says.
 struct Followed {

@@ -39,7 +39,7 @@ void join(DesignModel& design, int near, int far, const Vector3d& at, const Vect
   design.joints.push_back(joint);
 }
 
-DesignModel jointed(const std::vector<Rod>& rods) {
+DesignModel jointed_design(const std::vector<Rod>& rods) {
   DesignModel design = design_of(rods);
   const char* const names[] = {"riser", "foot", "arm", "tip", "side", "end"};
   for (std::size_t p = 0; p < design.parts.size(); ++p) {
@@ -65,9 +65,14 @@ DesignSurface built(const DesignModel& design) {
 
 JointedSpool::JointedSpool()
     : rods(all_rods()),
-      design(jointed(rods)),
+      design(jointed_design(rods)),
       surface(built(design)),
       samples(sample_surface(design, 6000)) {}
+
+const JointedSpool& jointed() {
+  static const JointedSpool spool;
+  return spool;
+}
 
 PointCloud JointedSpool::scan(const std::vector<Pose>& T_design_built,
                               const std::vector<bool>& is_there, std::uint32_t seed) const {

@@ -33,6 +33,9 @@ struct JointedSpool {
   [[nodiscard]] std::vector<Pose> as_designed() const;
 };
 
+// The one that all tests share.
+[[nodiscard]] const JointedSpool& jointed();
+
 // Turned about the line by degrees, and moved.
 [[nodiscard]] Pose turned_about(const Eigen::Vector3d& point, const Eigen::Vector3d& axis,
                                 double degrees);

@@ -13,15 +13,11 @@
 namespace spool {
 namespace {
 
+using test::jointed;
 using namespace test;
 using Eigen::Vector3d;
 
 constexpr double kNoise = 0.001;
-
-const JointedSpool& jointed() {
-  static const JointedSpool spool;
-  return spool;
-}
 
 // A camera 2 m off that looks at the spool from beside and in front; a wall stands behind.
 Pose T_design_camera() {

@@ -16,17 +16,13 @@ namespace spool {
 namespace {
 
 using Eigen::Vector3d;
+using test::jointed;
 using test::JointedSpool;
 using test::kEnd;
 using test::kTip;
 
 constexpr double kNoise = 0.001;  // m
 const std::vector<bool> kAll(6, true);
-
-const JointedSpool& jointed() {
-  static const JointedSpool spool;
-  return spool;
-}
 
 std::vector<int> missing_in(const PointCloud& scan, const std::vector<Piece>& pieces = {}) {
   const JointedSpool& spool = jointed();

@@ -16,11 +16,7 @@ namespace spool {
 namespace {
 
 using Eigen::Vector3f;
-
-const test::JointedSpool& jointed() {
-  static const test::JointedSpool spool;
-  return spool;
-}
+using test::jointed;
 
 // Points on a round bar of radius 20 mm from `from` on, on the half of it that looks to
 // `seen_from`.

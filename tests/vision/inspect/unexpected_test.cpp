@@ -15,12 +15,8 @@ namespace spool {
 namespace {
 
 using Eigen::Vector3d;
+using test::jointed;
 using test::Rod;
-
-const test::JointedSpool& jointed() {
-  static const test::JointedSpool spool;
-  return spool;
-}
 
 // So far to each side of the middle the floor was scanned (m): further than the spool is long, or
 // only round it, where it is no longer than the spool.
