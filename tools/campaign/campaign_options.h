@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/common/cli.h"
+
 namespace spool::campaign {
 
 struct CampaignOptions {
@@ -31,6 +33,17 @@ inline void add_campaign_options(CLI::App& app, const std::string& each_of,
       ->type_name("N");
   app.add_option("--first", options.first, "First seed")->capture_default_str()->type_name("N");
   app.add_flag("--each", options.each, "A line for each " + each_of);
+}
+
+// The main() of a campaign that is asked for no more than that.
+template <class Campaign>
+int campaign_main(int argc, char** argv, const char* program, const char* about,
+                  const std::string& each_of, const Campaign& campaign,
+                  CampaignOptions wanted = {}) {
+  CLI::App app{about};
+  add_common_options(app, program);
+  add_campaign_options(app, each_of, wanted);
+  return run_program(app, argc, argv, [&] { return campaign(wanted); });
 }
 
 }  // namespace spool::campaign

@@ -8,9 +8,6 @@
 #include <numbers>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "app/common/cli.h"
 #include "tools/campaign/campaign_options.h"
 #include "tools/campaign/dimension_trial.h"
 #include "tools/campaign/quantile.h"
@@ -103,12 +100,9 @@ Result<int> campaign(const CampaignOptions& wanted) {
 }  // namespace spool::campaign
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  return spool::campaign::campaign_main(
+      argc, argv, "spoolsight-dimension-campaign",
       "Inspects spools as shops build them and prints how often the error of a dimension is within "
-      "its stated uncertainty, and how often its verdict is right."};
-  spool::campaign::CampaignOptions wanted;
-  wanted.seeds = 20;
-  spool::add_common_options(app, "spoolsight-dimension-campaign");
-  spool::campaign::add_campaign_options(app, "dimension", wanted);
-  return spool::run_program(app, argc, argv, [&] { return spool::campaign::campaign(wanted); });
+      "its stated uncertainty, and how often its verdict is right.",
+      "dimension", spool::campaign::campaign, {.seeds = 20});
 }

@@ -7,9 +7,6 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "app/common/cli.h"
 #include "tools/campaign/campaign_options.h"
 #include "tools/campaign/live_trial.h"
 #include "tools/campaign/quantile.h"
@@ -120,12 +117,10 @@ Result<int> campaign(const CampaignOptions& wanted) {
 }  // namespace spool::campaign
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  return spool::campaign::campaign_main(
+      argc, argv, "spoolsight-live-campaign",
       "Follows spools as built on hand-held sequences of known truth and prints how far off the "
       "camera's pose in "
-      "the datum's frame was."};
-  spool::campaign::CampaignOptions wanted;
-  spool::add_common_options(app, "spoolsight-live-campaign");
-  spool::campaign::add_campaign_options(app, "frame", wanted);
-  return spool::run_program(app, argc, argv, [&] { return spool::campaign::campaign(wanted); });
+      "the datum's frame was.",
+      "frame", spool::campaign::campaign);
 }

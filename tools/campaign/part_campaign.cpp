@@ -6,9 +6,6 @@
 #include <cstdio>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
-#include "app/common/cli.h"
 #include "tools/campaign/campaign_options.h"
 #include "tools/campaign/part_trial.h"
 #include "tools/campaign/quantile.h"
@@ -76,11 +73,9 @@ Result<int> campaign(const CampaignOptions& wanted) {
 }  // namespace spool::campaign
 
 int main(int argc, char** argv) {
-  CLI::App app{
+  return spool::campaign::campaign_main(
+      argc, argv, "spoolsight-part-campaign",
       "Looks at spools of which one part stands a little off and prints how far the mean deviation "
-      "of each part is from the truth."};
-  spool::campaign::CampaignOptions wanted;
-  spool::add_common_options(app, "spoolsight-part-campaign");
-  spool::campaign::add_campaign_options(app, "part", wanted);
-  return spool::run_program(app, argc, argv, [&] { return spool::campaign::campaign(wanted); });
+      "of each part is from the truth.",
+      "part", spool::campaign::campaign);
 }
