@@ -22,13 +22,20 @@ constexpr float kFewest = 6;              // readings in a window, of the weight
 constexpr double kOfTwice = 0.4;  // of twice the amplitude: so far a hole's own share stands out
 constexpr int kLeastHoles = 3;
 
+std::size_t wrapped(double bin, double bins) {
+  return static_cast<std::size_t>(std::fmod(std::fmod(bin, bins) + bins, bins));
+}
+
+double middle_of(std::size_t bin, std::size_t bins) {
+  return (static_cast<double>(bin) + 0.5) / static_cast<double>(bins) * kTurn;
+}
+
 }  // namespace
 
 BoltPhase::BoltPhase(const BoltHoles& holes, const BoltPhaseOptions& options)
     : holes_(holes), options_(options) {}
 
 void BoltPhase::clear() {
-  bins_.clear();
   looks_.clear();
   turned_rad_ = look_age_s_ = 0;
 }
@@ -38,31 +45,32 @@ void BoltPhase::add(const BoltLook& look, double passed_s) {
   look_age_s_ += passed_s;
   if (looks_.empty() || look_age_s_ > options_.look_s) {
     if (looks_.size() == kMostLooks) looks_.erase(looks_.begin());
-    looks_.emplace_back();
+    looks_.push_back({Bins(look.bins.size()), look.pixel_m});
     look_age_s_ = 0;
   }
-  Wave& wave = looks_.back();
-  wave.pixel_m = look.pixel_m;
-  bins_.resize(look.bins.size());
-  const auto bins = static_cast<double>(bins_.size());
-  const auto wrapped = [&](double bin) { return std::fmod(std::fmod(bin, bins) + bins, bins); };
-  const double shift = -turned_rad_ / kTurn * bins;  // to the bins' own zero
+  Bins& to = looks_.back().bins;
+  const auto bins = static_cast<double>(to.size());
+  const double shift = -turned_rad_ / kTurn * bins;  // to the looks' own zero
   for (std::size_t i = 0; i < look.bins.size(); ++i) {
-    const auto [seen, through] = look.bins[i];
     const double at = static_cast<double>(i) + shift;
     const double low = std::floor(at);
     for (const double next : {0.0, 1.0}) {
-      BoltLook::Bin& bin = bins_[static_cast<std::size_t>(wrapped(low + next))];
+      BoltLook::Bin& bin = to[wrapped(low + next, bins)];
       const auto share = static_cast<float>(next > 0 ? at - low : 1 - (at - low));
-      bin.seen += share * seen;
-      bin.through += share * through;
+      bin.seen += share * look.bins[i].seen;
+      bin.through += share * look.bins[i].through;
     }
-    const std::complex<double> turn = std::polar(1.0, holes_.count * (at + 0.5) / bins * kTurn);
-    wave.seen += double{seen} * turn;
-    wave.through += double{through} * turn;
-    wave.seen_count += double{seen};
-    wave.through_count += double{through};
   }
+}
+
+BoltPhase::Bins BoltPhase::all_bins() const {
+  Bins all(looks_.front().bins.size());
+  for (const BoltLook& look : looks_)
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].seen += look.bins[i].seen;
+      all[i].through += look.bins[i].through;
+    }
+  return all;
 }
 
 std::optional<BoltTurn> BoltPhase::turn() const {
@@ -70,26 +78,26 @@ std::optional<BoltTurn> BoltPhase::turn() const {
   using Row = Eigen::Matrix<double, 7, 1>;
   Eigen::Matrix<double, 7, 7> normal = 1e-6 * Eigen::Matrix<double, 7, 7>::Identity();
   Row right = Row::Zero();
-  const auto bins = static_cast<double>(bins_.size());
-  for (std::size_t i = 0; i < bins_.size(); ++i) {
-    const double angle = (static_cast<double>(i) + 0.5) / bins * kTurn;
+  const Bins all = all_bins();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double angle = middle_of(i, all.size());
     const double n = holes_.count * angle;
     Row row;
     row << 1, std::cos(n), std::sin(n), std::cos(angle), std::sin(angle), std::cos(2 * angle),
         std::sin(2 * angle);
-    normal += double{bins_[i].seen} * row * row.transpose();
-    right += double{bins_[i].through} * row;
+    normal += double{all[i].seen} * row * row.transpose();
+    right += double{all[i].through} * row;
   }
   const Row fit = normal.ldlt().solve(right);
   const std::complex<double> harmonic(fit[1], fit[2]);
   const double amplitude = std::abs(harmonic);
   if (!(amplitude > kLeastAmplitude)) return std::nullopt;
-  const double scatter = scatter_of_phase(harmonic / amplitude);
+  const double scatter = scatter_of_phase(all, harmonic / amplitude);
   if (!(kStandsOut * scatter < 1)) return std::nullopt;
   const double phase = std::arg(harmonic) / holes_.count;
-  if (!are_holes(phase, amplitude)) return std::nullopt;
+  if (!are_holes(all, phase, amplitude)) return std::nullopt;
   double pixel_m = 0;
-  for (const Wave& look : looks_) pixel_m += look.pixel_m / static_cast<double>(looks_.size());
+  for (const BoltLook& look : looks_) pixel_m += look.pixel_m / static_cast<double>(looks_.size());
   const double bias = options_.bias_px * pixel_m / (0.5 * holes_.bolt_circle_m);
   const double sigma = scatter / holes_.count;
   return BoltTurn{std::remainder(phase + turned_rad_ - holes_.clocking_rad, kTurn / holes_.count),
@@ -98,19 +106,22 @@ std::optional<BoltTurn> BoltPhase::turn() const {
 
 // The standard error of the harmonic's phase (rad), by how the looks scatter across its
 // `direction`; infinite where they hold nothing of it.
-double BoltPhase::scatter_of_phase(const std::complex<double>& direction) const {
+double BoltPhase::scatter_of_phase(const Bins& all, const std::complex<double>& direction) const {
   double through = 0, seen = 0;
-  for (const Wave& look : looks_) {
-    through += look.through_count;
-    seen += look.seen_count;
+  std::vector<std::complex<double>> waves(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    through += double{all[i].through};
+    seen += double{all[i].seen};
+    waves[i] = std::polar(1.0, holes_.count * middle_of(i, all.size())) * std::conj(direction);
   }
   double along = 0, across2 = 0;
-  for (const Wave& look : looks_) {
+  for (const BoltLook& look : looks_) {
     // Less what is seen of the ring, and how much, in the mean.
-    const std::complex<double> wave =
-        (look.through - through / seen * look.seen) * std::conj(direction);
-    along += wave.real();
-    across2 += wave.imag() * wave.imag();
+    std::complex<double> sum;
+    for (std::size_t i = 0; i < waves.size(); ++i)
+      sum += (double{look.bins[i].through} - through / seen * double{look.bins[i].seen}) * waves[i];
+    along += sum.real();
+    across2 += sum.imag() * sum.imag();
   }
   const auto count = static_cast<double>(looks_.size());
   return along > 0 ? std::sqrt(across2 * count / (count - 1)) / along
@@ -118,13 +129,13 @@ double BoltPhase::scatter_of_phase(const std::complex<double>& direction) const 
 }
 
 // Of what was seen round an angle of the bins, the share that looked through.
-std::optional<double> BoltPhase::share_at(double angle_rad) const {
-  const auto bins = static_cast<double>(bins_.size());
+std::optional<double> BoltPhase::share_at(const Bins& all, double angle_rad) const {
+  const auto bins = static_cast<double>(all.size());
   const double half = kWindow * bins / holes_.count;
   const double middle = angle_rad / kTurn * bins - 0.5;
   float seen = 0, through = 0;
   for (double at = std::ceil(middle - half); at <= middle + half; ++at) {
-    const auto bin = bins_[static_cast<std::size_t>(std::fmod(std::fmod(at, bins) + bins, bins))];
+    const BoltLook::Bin& bin = all[wrapped(at, bins)];
     seen += bin.seen;
     through += bin.through;
   }
@@ -132,13 +143,13 @@ std::optional<double> BoltPhase::share_at(double angle_rad) const {
   return double{through} / double{seen};
 }
 
-bool BoltPhase::are_holes(double phase_rad, double amplitude) const {
+bool BoltPhase::are_holes(const Bins& all, double phase_rad, double amplitude) const {
   const double pitch = kTurn / holes_.count;
   int seen = 0, shown = 0;
   for (int i = 0; i < holes_.count; ++i) {
     const double hole = phase_rad + i * pitch;
-    const auto at = share_at(hole), before = share_at(hole - pitch / 2),
-               behind = share_at(hole + pitch / 2);
+    const auto at = share_at(all, hole), before = share_at(all, hole - pitch / 2),
+               behind = share_at(all, hole + pitch / 2);
     if (!at || !before || !behind) continue;
     ++seen;
     if (*at - std::max(*before, *behind) > kOfTwice * 2 * amplitude) ++shown;

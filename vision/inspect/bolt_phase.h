@@ -48,23 +48,18 @@ class BoltPhase {
   [[nodiscard]] std::optional<BoltTurn> turn() const;
 
  private:
-  [[nodiscard]] double scatter_of_phase(const std::complex<double>& direction) const;
-  [[nodiscard]] bool are_holes(double phase_rad, double amplitude) const;
-  [[nodiscard]] std::optional<double> share_at(double angle_rad) const;
-
-  // Of one look, in the bins' own zero.
-  struct Wave {
-    std::complex<double> through, seen;  // sums of exp(i n angle)
-    double through_count = 0, seen_count = 0;
-    double pixel_m = 0;
-  };
+  using Bins = std::vector<BoltLook::Bin>;
+  [[nodiscard]] Bins all_bins() const;
+  [[nodiscard]] double scatter_of_phase(const Bins& all,
+                                        const std::complex<double>& direction) const;
+  [[nodiscard]] bool are_holes(const Bins& all, double phase_rad, double amplitude) const;
+  [[nodiscard]] std::optional<double> share_at(const Bins& all, double angle_rad) const;
 
   BoltHoles holes_;
   BoltPhaseOptions options_;
-  double turned_rad_ = 0;            // of what is in the bins, since clear()
-  std::vector<BoltLook::Bin> bins_;  // by the angle less turned_rad_
-  std::vector<Wave> looks_;
-  double look_age_s_ = 0;  // of the last of them
+  double turned_rad_ = 0;        // since clear()
+  std::vector<BoltLook> looks_;  // of late; by the angle less turned_rad_ at the time
+  double look_age_s_ = 0;        // of the last of them
 };
 
 }  // namespace spool

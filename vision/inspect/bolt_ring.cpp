@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <numbers>
-#include <vector>
 
 namespace spool {
 namespace {
@@ -16,6 +17,7 @@ constexpr double kPi = std::numbers::pi;
 // reaches no further than there is steel to either side of the bolt circle.
 constexpr double kOfPitch = 0.11, kOfRadius = 0.2;
 constexpr double kFlat = 0.98;        // cosine of a face's normal to the axis
+constexpr double kSameFace_m = 1e-4;  // heights nearer to each other than that are one
 constexpr double kLeastFacing = 0.3;  // cosine of a view of 72 degrees: holes are slits there
 constexpr double kSolid = 3.5;        // standard deviations
 constexpr double kLeastThrough_m =
@@ -30,7 +32,6 @@ std::optional<BoltRing> BoltRing::of(const DesignModel& design, int part) {
   const Part& it = design.parts[static_cast<std::size_t>(part)];
   if (!it.holes || it.holes->count < 3 || !(it.holes->bolt_circle_m > 0)) return std::nullopt;
   BoltRing ring;
-  ring.part_ = part;
   ring.holes_ = *it.holes;
   ring.T_design_part_ = it.T_design_part;
   const double radius = 0.5 * it.holes->bolt_circle_m;
@@ -38,10 +39,7 @@ std::optional<BoltRing> BoltRing::of(const DesignModel& design, int part) {
 
   // The flat faces round the holes: where most of the area lies that looks either way.
   const Pose T_part_design = it.T_design_part.inverse();
-  struct Flat {
-    double z = 0, area = 0;
-  };
-  std::array<std::vector<Flat>, 2> flats;
+  std::array<std::map<long, double>, 2> areas;  // by height along the axis
   for (std::uint32_t t = 0; t < it.triangle_count; ++t) {
     const auto& corners = design.mesh.triangles[it.first_triangle + t];
     std::array<Eigen::Vector3d, 3> p;
@@ -53,19 +51,14 @@ std::optional<BoltRing> BoltRing::of(const DesignModel& design, int part) {
     if (!(area > 0) || std::abs(normal.z()) < kFlat * 2 * area ||
         std::abs(middle.head<2>().norm() - radius) > 2 * ring.half_width_m_)
       continue;
-    flats[normal.z() > 0 ? 1 : 0].push_back({middle.z(), area});
+    areas[normal.z() > 0 ? 1 : 0][std::lround(middle.z() / kSameFace_m)] += area;
   }
   for (std::size_t side = 0; side < 2; ++side) {
-    constexpr double kSame_m = 0.001;
-    double most = 0;
-    for (const Flat& flat : flats[side]) {
-      double area = 0;
-      for (const Flat& other : flats[side])
-        if (std::abs(other.z - flat.z) < kSame_m) area += other.area;
-      if (area <= most) continue;
-      most = area;
-      ring.faces_[side] = {flat.z, side == 1 ? 1.0 : -1.0};
-    }
+    if (areas[side].empty()) continue;
+    const auto most =
+        std::max_element(areas[side].begin(), areas[side].end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    ring.faces_[side] = {kSameFace_m * static_cast<double>(most->first), side == 1 ? 1.0 : -1.0};
   }
   if (ring.faces_[0].side == 0 && ring.faces_[1].side == 0) return std::nullopt;
   return ring;
@@ -111,7 +104,8 @@ std::optional<BoltLook> BoltRing::read(const DepthFrame& frame, const Camera& ca
       const double depth = (face->z_m - eye.z()) / ray.z();
       const Eigen::Vector3d on_face = eye + depth * ray;
       const double r = on_face.head<2>().norm();
-      if (std::abs(r - radius) > half_width_m_) continue;
+      // A ray along the face or away from it has no place on it; it may be no number.
+      if (!(depth > 0) || !(std::abs(r - radius) <= half_width_m_)) continue;
       const auto count =
           frame.depth[static_cast<std::size_t>(v) * static_cast<std::size_t>(frame.width) +
                       static_cast<std::size_t>(u)];

@@ -34,10 +34,7 @@ class BoltRing {
   // Nothing for a part that has no holes, or whose mesh has no flat face round them.
   [[nodiscard]] static std::optional<BoltRing> of(const DesignModel& design, int part);
 
-  [[nodiscard]] int part() const { return part_; }
   [[nodiscard]] const BoltHoles& holes() const { return holes_; }
-  // Unit, design frame.
-  [[nodiscard]] Eigen::Vector3d axis() const { return T_design_part_.linear().col(2); }
 
   // The flange is within millimetres of where the pose has it, along its axis and aside. Nothing
   // where its face is turned away, outside the picture or hidden.
@@ -51,7 +48,6 @@ class BoltRing {
     double side = 0;  // where it looks, along z: -1 or 1; 0: there is none
   };
 
-  int part_ = -1;
   BoltHoles holes_;
   double half_width_m_ = 0;  // of the ring
   Pose T_design_part_ = Pose::Identity();

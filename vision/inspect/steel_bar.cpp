@@ -42,8 +42,9 @@ Range range_along(const std::vector<Eigen::Vector3f>& points, const Eigen::Vecto
   return {at[skip], at[at.size() - 1 - skip]};
 }
 
-// The circle of least algebraic error through the points as seen along `axis` (Kasa 1976): where
-// the line of a round bar runs that was seen from one side.
+// The circle of least algebraic error (Kasa 1976) through the points on the plane of unit `x` and
+// `y`: where the line of a round bar runs that was seen from one side. Unlike
+// fit_cylinder() it needs no start.
 struct Circle {
   Eigen::Vector3f middle;  // in the plane through the origin
   float radius;

@@ -197,18 +197,19 @@ void LiveAlignment::refine(const VisionState& state) {
                         : std::isfinite(now) ? std::max(0.0, now - *seconds_)
                                              : kFrame_s;
   if (std::isfinite(now)) seconds_ = now;
-  take_in(state, passed, 0);
+  std::optional<BoltLook> holes;
+  if (datum_ring_) holes = datum_ring_->read(*state.frame, camera_, noise_, state.T_design_camera);
+  take_in(state, passed, 0, holes ? &*holes : nullptr);
 }
 
-void LiveAlignment::take_in(const VisionState& state, double passed_s, double wide_m) {
+void LiveAlignment::take_in(const VisionState& state, double passed_s, double wide_m,
+                            const BoltLook* holes) {
   std::vector<float> variances(state.scan.size());
   for (std::size_t i = 0; i < variances.size(); ++i)
     if (state.deviations.part[i] >= 0)
       variances[i] = reading_noise_.variance(state.scan.points[i], state.scan.normals[i]);
-  std::optional<BoltLook> holes;
-  if (datum_ring_) holes = datum_ring_->read(*state.frame, camera_, noise_, state.T_design_camera);
   datum_.add({CloudView(state.scan_design), state.deviations, variances, correlated_, passed_s,
-              wide_m, holes ? &*holes : nullptr});
+              wide_m, holes});
   known_ = datum_.solve();
   T_design_map_ = moved_about(Eigen::Vector3d::Zero(), known_.step, *T_design_map_);
   datum_.follow(known_.step);

@@ -105,7 +105,8 @@ class LiveAlignment {
   [[nodiscard]] double apart_m(const Pose& a, const Pose& b) const;
   [[nodiscard]] bool is_elsewhere(const DesignFit& there, const DesignFit& here) const;
   [[nodiscard]] double noise_at(const Pose& T_camera_design) const;
-  void take_in(const VisionState& state, double passed_s, double wide_m);
+  void take_in(const VisionState& state, double passed_s, double wide_m,
+               const BoltLook* holes = nullptr);
 
   std::shared_ptr<const PreparedDesign> design_;
   Camera camera_;
