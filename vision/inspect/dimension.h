@@ -20,10 +20,11 @@ struct UncertaintyBudget {
 };
 
 struct Dimension {
-  std::string name, kind;  // kind: face_to_face, centre_to_face, … angle, face_alignment, offset
-  std::string from, to;    // part/port, part/centre, part/axis
-  bool is_angle = false;   // rad; else m
-  double nominal = 0;      // by the design's own features, the same way as measured
+  std::string name;
+  std::string kind;  // face_to_face, centre_to_face, … angle, face_alignment, offset, rotation
+  std::string from, to;      // part/port, part/centre, part/axis
+  bool is_angle = false;     // rad; else m
+  double nominal = 0;        // by the design's own features, the same way as measured
   bool is_measured = false;  // false: nothing below but tolerance, rule, status and reason counts
   double measured = 0;
   double deviation = 0;  // measured - nominal; of face_alignment the size of the tilt

@@ -107,6 +107,21 @@ std::vector<JointBranch> joint_tree(const DesignModel& design) {
   return tree;
 }
 
+std::vector<int> parts_between(std::span<const JointBranch> tree, int a, int b) {
+  std::vector<int> parts = {a};
+  const auto add = [&](int part) {
+    if (std::find(parts.begin(), parts.end(), part) == parts.end()) parts.push_back(part);
+  };
+  // A joint lies on the way where one of the two hangs on it and the other does not.
+  for (const JointBranch& branch : tree) {
+    if (branch.holds(a) == branch.holds(b)) continue;
+    add(branch.part_near);
+    add(branch.part_far);
+  }
+  add(b);
+  return parts;
+}
+
 std::vector<JointBranch> datum_sides(const DesignModel& design) {
   std::vector<JointBranch> sides;
   if (design.parts.empty()) return sides;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -43,6 +44,10 @@ struct JointBranch {
 // The root is the first datum, else the first part. A joint in a loop holds nothing alone and is
 // left out, and so is what no joint connects to the root. In breadth-first order.
 [[nodiscard]] std::vector<JointBranch> joint_tree(const DesignModel& design);
+
+// The parts on the way from one to the other through the tree, both included; those two alone where
+// none leads.
+[[nodiscard]] std::vector<int> parts_between(std::span<const JointBranch> tree, int a, int b);
 
 // The same joints seen from beyond: of each what holds the datum, which is all but the branch. And
 // of each two joints of one part, what remains without both branches: were they exchanged, it lies

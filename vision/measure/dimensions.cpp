@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "vision/inspect/joint_tree.h"
 #include "vision/measure/conformance.h"
 #include "vision/measure/datum_frame.h"
 #include "vision/measure/feature_geometry.h"
@@ -60,7 +61,8 @@ class Measuring {
         geometry_(design, drawing, features),
         datum_(datum_frame(design, drawing, features, geometry_)),
         nominal_(geometry_.nominal()),
-        measured_(geometry_.measured()) {}
+        measured_(geometry_.measured()),
+        tree_(joint_tree(design)) {}
 
   MeasuredDrawing all() {
     for (std::size_t leg = 0; leg < drawing_.legs.size(); ++leg) length(static_cast<int>(leg));
@@ -72,6 +74,8 @@ class Measuring {
       face_alignment(n);
       if (n != datum_.node) offsets(n);
     }
+    for (std::size_t part = 0; part < design_.parts.size(); ++part)
+      rotation(static_cast<int>(part));
     return {std::move(dimensions_), datum_.text};
   }
 
@@ -191,7 +195,12 @@ class Measuring {
     const DrawingNode& face = drawing_.nodes[at(node)];
     const std::string datum =
         datum_.node >= 0 ? name_of(drawing_.nodes[at(datum_.node)], design_) : "datum";
-    Dimension dimension = between("offset", datum, name_of(face, design_), {face.part});
+    // Whatever lies on the way may have moved it: an elbow that is rolled changes nothing nearer.
+    const int from_part = datum_.node >= 0         ? drawing_.nodes[at(datum_.node)].part
+                          : design_.datums.empty() ? 0
+                                                   : design_.datums.front();
+    Dimension dimension = between("offset", datum, name_of(face, design_),
+                                  parts_between(tree_, from_part, face.part));
     dimension.name += " across, along " + axis;
     tolerate(length_tolerance(rules_, drawing_.legs[at(leg)].nps, drawing_.legs[at(leg)].length_m),
              dimension);
@@ -214,6 +223,23 @@ class Measuring {
           return one(across.dot(T_nominal_measured * point.at(state) - from.point));
         },
         std::move(dimension));
+  }
+
+  // How holes, taps and flat sides stand about a part's axis is part of the drawing, and no feature
+  // here tells it: what it would say is listed, so that nothing is ok without it.
+  void rotation(int index) {
+    const Part& part = design_.parts[at(index)];
+    if (!part.holes && part.marks.empty()) return;
+    Dimension dimension =
+        between("rotation", part.name + "/axis",
+                part.name + (part.holes ? "/holes" : "/" + part.marks.front().type), {index});
+    dimension.is_angle = true;
+    dimension.rule = "it is not judged";
+    dimension.reason = part.holes ? "Not measured: how its bolt holes stand about its axis. Check "
+                                    "them by level or by two pins."
+                                  : "Not measured: where its " + part.marks.front().type +
+                                        " points. Check it against the drawing.";
+    dimensions_.push_back(std::move(dimension));
   }
 
   [[nodiscard]] bool is_aside(const Vector3d& point, const DrawingNode& datum) const {
@@ -345,6 +371,7 @@ class Measuring {
   FeatureGeometry geometry_;
   DatumFrame datum_;
   FeatureState nominal_, measured_;
+  std::vector<JointBranch> tree_;
   std::vector<Dimension> dimensions_;
 };
 

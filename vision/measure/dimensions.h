@@ -27,7 +27,9 @@ struct MeasuredDrawing {
 // Of every leg its length (face_to_face, centre_to_face, …) along its measured centreline; at every
 // elbow and tee the angle between legs; of every flange how far its face leans against the pipe
 // that it is on (face_alignment); of every face but the datum's how far it stands aside of where
-// the drawing has it, seen from the datum (offset), across its own leg in two directions.
+// the drawing has it, seen from the datum (offset), across its own leg in two directions; all that
+// lies between is part of it. Of every part with holes or marks how it is turned (rotation):
+// listed, and not measured.
 //
 // The datum is the first of the design's `datums` that is a flange, else the flange that is known
 // best: its centre, the axis of its leg, and about that axis the point of the drawing that lies
