@@ -76,16 +76,21 @@ std::string why_nothing_ok(const Alignment& alignment, const InspectorOptions& o
   return "";
 }
 
-// The drawing's dimensions from features fitted to the parts, and what they say of the parts.
-void measure_drawing(const DesignModel& design, const InspectorOptions& options, double noise_m,
-                     Inspection& inspection) {
+// Pipe axes and flange faces from the points of their parts.
+PartFeatures fit_features(const DesignModel& design, const InspectorOptions& options,
+                          double noise_m, const Inspection& inspection, const Watch& watch) {
   FeatureScan scan{inspection.scan_design, inspection.declutter.classes, inspection.deviations};
   scan.correlated = options.correlated;
   scan.warp_u_m = options.warp_u_m;
   scan.bound_m = static_cast<double>(deviation_bound(noise_m));
   if (options.single_frame)  // the camera stands at the scan's origin
     scan.eye = inspection.alignment.T_design_scan.translation() - design.origin;
-  const PartFeatures features = measure_features(design, scan);
+  return measure_features(design, scan, watch);
+}
+
+// The drawing's dimensions between them, and what they say of the parts.
+void measure_drawing(const DesignModel& design, const InspectorOptions& options,
+                     const PartFeatures& features, Inspection& inspection) {
   const std::string nothing_ok = why_nothing_ok(inspection.alignment, options);
   MeasuredDrawing measured =
       measure_dimensions(design, drawing_of(design), features, options.rules,
@@ -177,6 +182,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   // What that says of each part.
   std::vector<PartDeviation> parts(design.parts.size());
   std::vector<MissingPart> missing;
+  PartFeatures features;
   if (!watch.cancelled()) {
     const std::vector<PointClass>& classes = inspection.declutter.classes;
     parts = summarise_parts(design, inspection.scan_design, classes, inspection.deviations,
@@ -185,6 +191,10 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
         design, {inspection.scan_design, classes, inspection.deviations, inspection.pieces},
         design_->samples, parts, in_sight(options, scan, design, inspection.alignment, noise_m),
         watch);
+    clock.mark("deviation");
+    if (inspection.alignment.found)
+      features = fit_features(design, options, noise_m, inspection, watch);
+    clock.mark("measure");
   }
   if (watch.cancelled()) {  // half an inspection says nothing
     mark_stopped(inspection.alignment);
@@ -194,7 +204,6 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     inspection.unexpected.clear();
   }
   inspection.scan_rms_m = rms(inspection.deviations, inspection.declutter.classes);
-  clock.mark("deviation");
   // What may be said of it.
   inspection.parts = judge_parts(design, parts, inspection.alignment, judging);
   judge_pieces(design, inspection.pieces, inspection.parts);
@@ -205,7 +214,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     for (Finding& finding : spool_findings(design, inspection.pieces, inspection.unexpected,
                                            missing, inspection.parts))
       inspection.findings.push_back(std::move(finding));
-    measure_drawing(design, options, noise_m, inspection);
+    measure_drawing(design, options, features, inspection);
     clock.mark("measure");
     judge_dimensions(design, inspection.dimensions, inspection.parts, inspection.findings);
   }

@@ -143,18 +143,20 @@ Propagated propagate(const std::function<Eigen::VectorXd(const FeatureState&)>& 
   result.fit = result.warp = Eigen::MatrixXd::Zero(rows, rows);
   constexpr double kStep = 1e-5;   // m, rad: functions of metres are straight over it
   constexpr double kHolds = 1e-6;  // a slope under it is none
+  FeatureState moved = measured;
   for (std::size_t f = 0; f < features.features.size(); ++f) {
     const PartFeature& feature = features.features[f];
     Eigen::MatrixXd slope(rows, 6);
     for (int k = 0; k < 6; ++k) {
-      FeatureState there = measured, back = measured;
-      there[f] = measured[f] * pose_from_small(kStep * Vector6d::Unit(k));
-      back[f] = measured[f] * pose_from_small(-kStep * Vector6d::Unit(k));
-      slope.col(k) = (function(there) - function(back)) / (2 * kStep);
+      moved[f] = measured[f] * pose_from_small(kStep * Vector6d::Unit(k));
+      const Eigen::VectorXd there = function(moved);
+      moved[f] = measured[f] * pose_from_small(-kStep * Vector6d::Unit(k));
+      slope.col(k) = (there - function(moved)) / (2 * kStep);
       if (!feature.is_observed[static_cast<std::size_t>(k)] &&
           slope.col(k).cwiseAbs().maxCoeff() > kHolds)
         result.is_determined = false;
     }
+    moved[f] = measured[f];
     result.fit += slope * feature.fit_covariance * slope.transpose();
     result.warp += slope * feature.warp_covariance * slope.transpose();
   }

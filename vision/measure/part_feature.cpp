@@ -34,22 +34,22 @@ struct Reading {
   float distance;
 };
 
-// One list a part; every nth where there are very many.
+// One list a part.
 std::vector<std::vector<Reading>> readings_by_part(const DesignModel& design,
-                                                   const FeatureScan& scan) {
+                                                   const FeatureScan& scan, const Watch& watch) {
   std::vector<std::vector<Reading>> parts(design.parts.size());
-  for (std::size_t i = 0; i < scan.scan_design.size(); ++i) {
+  watched_loop(scan.scan_design.size(), watch, [&](std::size_t i) {
     const int part = scan.deviations.part[i];
-    if (part < 0 || scan.classes[i] == PointClass::kClutter) continue;
+    if (part < 0 || scan.classes[i] == PointClass::kClutter) return;
     const Eigen::Vector3f& point = scan.scan_design.points[i];
     const Eigen::Vector3f& normal = scan.deviations.normal[i];
-    if (!point.allFinite() || !normal.allFinite()) continue;
+    if (!point.allFinite() || !normal.allFinite()) return;
     if (scan.eye) {
       const Vector3d ray = (*scan.eye - point.cast<double>()).normalized();
-      if (ray.dot(normal.cast<double>()) < kLeastFacing) continue;
+      if (ray.dot(normal.cast<double>()) < kLeastFacing) return;
     }
     parts[static_cast<std::size_t>(part)].push_back({point, normal, scan.deviations.distance_m[i]});
-  }
+  });
   return parts;
 }
 
@@ -67,8 +67,7 @@ int sector_of(double x, double y) {
   return std::min(kSectors - 1, static_cast<int>(kSectors * turn));
 }
 
-// The frame of a fit that starts where the design has it: nominal is the same origin put on the
-// nominal line or plane.
+// The feature's nominal frame is its measured one, put on the design's line or plane.
 struct Fitted {
   PartFeature feature;
   PatchScatter scatter;
@@ -207,25 +206,26 @@ std::optional<Fitted> fit_axis(const PipeShape& shape, const std::vector<Reading
 
 // A flange that stands off by its own thickness shows its back where the design has its face; then
 // its face is in front. `face`: as it was fitted, z outward.
-bool is_steel_in_front(const PartFeature& face, const FaceShape& shape, const PointCloud& scan) {
+bool is_steel_in_front(const PartFeature& face, const FaceShape& shape, const PointCloud& scan,
+                       const Watch& watch) {
   constexpr double kNear = 0.008, kFar = 0.045;  // m; a gasket is thinner, flanges mostly are not
   constexpr double kShare = 0.3;                 // of as many points as the face has
   const Eigen::Isometry3f T_face = face.T_design_measured.inverse().cast<float>();
   const Eigen::Vector3f middle = T_face * shape.point.cast<float>();
   const auto reach = static_cast<float>(0.45 * shape.face_diameter_m);
   std::size_t count = 0;
-  for (const Eigen::Vector3f& point : scan.points) {
-    const Eigen::Vector3f local = T_face * point;  // NaN is nowhere
+  watched_loop(scan.size(), watch, [&](std::size_t i) {
+    const Eigen::Vector3f local = T_face * scan.points[i];  // NaN is nowhere
     if (local.z() > static_cast<float>(kNear) && local.z() < static_cast<float>(kFar) &&
         (local - middle).head<2>().norm() < reach)
       ++count;
-  }
+  });
   return static_cast<double>(count) > kShare * static_cast<double>(face.points);
 }
 
 std::optional<Fitted> fit_face(const FaceShape& shape, const std::vector<Reading>& readings,
                                double correlated, double bound_m, const PointCloud& scan,
-                               std::string& why) {
+                               const Watch& watch, std::string& why) {
   constexpr double kRim = 0.005;     // m; of a face that stands off, points there may be the rim's
   constexpr double kOnLevel = 2e-4;  // m
   std::vector<Eigen::Vector3f> points;
@@ -289,7 +289,7 @@ std::optional<Fitted> fit_face(const FaceShape& shape, const std::vector<Reading
     why = "it lies too far from where the design has it";
     return std::nullopt;
   }
-  if (is_steel_in_front(feature, shape, scan)) {
+  if (is_steel_in_front(feature, shape, scan, watch)) {
     why = "steel stands in front of what lies where its face should be";
     return std::nullopt;
   }
@@ -333,19 +333,20 @@ int PartFeatures::of(int part) const {
   return -1;
 }
 
-PartFeatures measure_features(const DesignModel& design, const FeatureScan& scan) {
+PartFeatures measure_features(const DesignModel& design, const FeatureScan& scan,
+                              const Watch& watch) {
   PartFeatures all;
   all.why_not.resize(design.parts.size());
-  const auto readings = readings_by_part(design, scan);
+  const auto readings = readings_by_part(design, scan, watch);
   ScatterPool pool;
   std::vector<Fitted> fits;
-  for (std::size_t p = 0; p < design.parts.size(); ++p) {
+  for (std::size_t p = 0; p < design.parts.size() && !watch.cancelled(); ++p) {
     std::optional<Fitted> fitted;
     if (const auto pipe = pipe_shape(design, static_cast<int>(p)))
       fitted = fit_axis(*pipe, readings[p], scan.eye.has_value(), scan.correlated, scan.bound_m,
                         all.why_not[p]);
     else if (const auto face = face_shape(design, static_cast<int>(p)))
-      fitted = fit_face(*face, readings[p], scan.correlated, scan.bound_m, scan.scan_design,
+      fitted = fit_face(*face, readings[p], scan.correlated, scan.bound_m, scan.scan_design, watch,
                         all.why_not[p]);
     if (!fitted) continue;
     fitted->feature.part = static_cast<int>(p);

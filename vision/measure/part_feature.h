@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include "vision/core/cancel.h"
 #include "vision/core/pose.h"
 #include "vision/design/design_model.h"
 #include "vision/inspect/declutter.h"
@@ -67,6 +68,8 @@ struct PartFeatures {
 // and where the patches' means scatter by more than independent readings would let them, the
 // feature's covariance grows by as much (Birge's ratio) and, as that is seen within features only,
 // the whole feature may be off by the same.
-[[nodiscard]] PartFeatures measure_features(const DesignModel& design, const FeatureScan& scan);
+// Of a cancelled run nothing is known.
+[[nodiscard]] PartFeatures measure_features(const DesignModel& design, const FeatureScan& scan,
+                                            const Watch& watch = {});
 
 }  // namespace spool
