@@ -22,7 +22,8 @@ std::optional<double> ToleranceTable::at(double value) const {
 
 std::optional<Tolerance> length_tolerance(const RuleSet& rules, double nps, double length_m,
                                           int fittings) {
-  std::optional<double> value = rules.length_by_nps.at(nps);
+  // Of a size that nobody names the smallest pipe's tolerance would be made up.
+  std::optional<double> value = nps > 0 ? rules.length_by_nps.at(nps) : std::nullopt;
   const ToleranceTable& table = value ? rules.length_by_nps : rules.length_by_length;
   if (!value) value = rules.length_by_length.at(length_m);
   if (!value) return std::nullopt;

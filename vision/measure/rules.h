@@ -46,7 +46,8 @@ struct Tolerance {
   std::string rule;  // standard and clause
 };
 
-// Of a length or offset along a leg of that size. `fittings`: 2 where no pipe lies between, else 0.
+// Of a length or offset along a leg of that size (inches; 0: unknown, no row by size is its own).
+// `fittings`: 2 where no pipe lies between, else 0.
 [[nodiscard]] std::optional<Tolerance> length_tolerance(const RuleSet& rules, double nps,
                                                         double length_m, int fittings = 0);
 // Of the tilt (rad) of a face or end of that diameter (m).

@@ -17,9 +17,9 @@ TEST(PfiEs3, AllowsALengthByItsNominalPipeSize) {
   struct Row {
     double nps, tolerance_mm;
   };
-  const Row rows[] = {{0, 3},  {0.5, 3},     {10, 3},  {10.001, 5}, {12, 5},
-                      {24, 5}, {24.001, 6},  {26, 6},  {36, 6},     {36.001, 8},
-                      {48, 8}, {48.001, 10}, {60, 10}, {72, 12}};
+  const Row rows[] = {{0.125, 3}, {0.5, 3},     {10, 3},  {10.001, 5}, {12, 5},
+                      {24, 5},    {24.001, 6},  {26, 6},  {36, 6},     {36.001, 8},
+                      {48, 8},    {48.001, 10}, {60, 10}, {72, 12}};
   for (const Row& row : rows) {
     const auto tolerance = length_tolerance(pfi_es3(), row.nps, 1.0);
     ASSERT_TRUE(tolerance) << row.nps;
@@ -27,6 +27,7 @@ TEST(PfiEs3, AllowsALengthByItsNominalPipeSize) {
     EXPECT_EQ(tolerance->rule, "PFI ES-3 2.2");
   }
   EXPECT_FALSE(length_tolerance(pfi_es3(), 72.001, 1.0)) << "no row, no rule";
+  EXPECT_FALSE(length_tolerance(pfi_es3(), 0, 1.0)) << "of no known size";
 }
 
 TEST(PfiEs3, AlignmentIsTheGreaterOfBothReadings) {
