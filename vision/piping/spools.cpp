@@ -183,10 +183,10 @@ Result<Pipework> only_spool(const Pipework& pipework, const std::string& spool) 
   for (const int c : found->components) out.spools.front().components.push_back(place[c]);
   // A problem belongs to the component within whose lines it lies.
   for (const Problem& each : pipework.problems) {
-    int owner = -1;
-    for (std::size_t c = 0; c < pipework.components.size(); ++c) {
-      if (pipework.components[c].line <= each.line) owner = static_cast<int>(c);
-    }
+    const auto next = std::upper_bound(
+        pipework.components.begin(), pipework.components.end(), each.line,
+        [](int line, const Component& component) { return line < component.line; });
+    const int owner = static_cast<int>(next - pipework.components.begin()) - 1;
     if (owner < 0 || place.count(owner) != 0) out.problems.push_back(each);
   }
   return out;
