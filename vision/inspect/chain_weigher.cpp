@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kLeastPoints = 25;
 constexpr double kMostChance = 0.25;  // of the points on it, that clutter would put there
+constexpr double kClose = 3;          // gates: steel there is no clutter that happens to be near…
+constexpr double kMostBeside = 0.4;   // …and this many of it to one point on the piece: not it
 constexpr double kSetBack = 0.02;     // m: so far from its end a pipe's surface is looked at
 constexpr std::size_t kCounterpartPoints = 400;
 constexpr double kJoinShown = 0.35;    // of what a piece hangs on, along the joint…
@@ -34,16 +36,22 @@ class OnSurface {
   [[nodiscard]] bool is_round(const Eigen::Vector3f& p) const {
     return field_.nearest(p) != SurfaceField::kFar;
   }
-  [[nodiscard]] bool is_on(const Eigen::Vector3f& p) const {
-    const std::uint16_t s = field_.nearest(p);
-    if (s == SurfaceField::kFar) return false;
-    const Eigen::Vector3f offset = p - samples_.points[s];
-    const double beside = 2 * field_.cell_m() + gate_m_;
-    return double{std::abs(samples_.normals[s].dot(offset))} < gate_m_ &&
-           double{offset.squaredNorm()} < beside * beside;
+  [[nodiscard]] bool is_on(const Eigen::Vector3f& p) const { return is_within(p, gate_m_); }
+  // On it, or so near that steel of another form lies there.
+  [[nodiscard]] bool is_close(const Eigen::Vector3f& p) const {
+    return is_within(p, kClose * gate_m_);
   }
 
  private:
+  [[nodiscard]] bool is_within(const Eigen::Vector3f& p, double gate_m) const {
+    const std::uint16_t s = field_.nearest(p);
+    if (s == SurfaceField::kFar) return false;
+    const Eigen::Vector3f offset = p - samples_.points[s];
+    const double aside = 2 * field_.cell_m() + gate_m;
+    return double{std::abs(samples_.normals[s].dot(offset))} < gate_m &&
+           double{offset.squaredNorm()} < aside * aside;
+  }
+
   const PointCloud& samples_;
   SurfaceField field_;
   double gate_m_;
@@ -195,7 +203,7 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
   const auto excess = is_longer ? std::make_unique<Excess>(design_, samples_, branch,
                                                            weighed.motion.move, options_, gate_m_)
                                 : nullptr;
-  std::size_t round_it = 0;
+  std::size_t round_it = 0, beside = 0;
   std::vector<Eigen::Vector3f> on, stays, lost;  // on the piece in its place; where they were
   std::size_t on_excess = 0;
   for (std::uint32_t i = 0; i < scan.left.size(); ++i) {
@@ -208,6 +216,7 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
       ++on_excess;
     } else {
       round_it += surface.is_round(p) ? 1U : 0U;
+      beside += surface.is_close(p) ? 1U : 0U;
     }
   }
   const auto won = static_cast<double>(on.size());
@@ -240,6 +249,8 @@ std::optional<WeighedMotion> ChainWeigher::weigh(const ChainScan& scan, const Ch
       static_cast<double>(round_it) * gate_m_ / std::max(gate_m_, reach - gate_m_);
   // By what is left: that is far from the design.
   if (won < kLeastPoints || chance + 3 * std::sqrt(chance) > kMostChance * won) return std::nullopt;
+  // A stand's square post lies on a pipe along its four faces, and its edges beside it.
+  if (static_cast<double>(beside) > kMostBeside * won) return std::nullopt;
   std::size_t missed = lost.size();
   if (motion.fault == PieceFault::kExchanged) missed -= on_counterpart(motion, lost);
   weighed.gain = static_cast<double>(on.size()) + static_cast<double>(on_excess) - chance -

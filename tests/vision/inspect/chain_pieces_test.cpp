@@ -180,6 +180,21 @@ TEST(ChainPieces, AreNotMadeOfClutter) {
   EXPECT_TRUE(explain(scan).pieces.empty());
 }
 
+TEST(ChainPieces, AreNotMadeOfASquarePostThatStandsWhereOneCouldHang) {
+  // The tip was not scanned, and a post as wide as it is stands under the arm's end.
+  PointCloud scan = jointed().scan(jointed().as_designed(), {true, true, true, false, true, true});
+  std::mt19937 random{5};
+  std::uniform_real_distribution<float> across(-0.03F, 0.03F), up(0, 0.77F);
+  std::normal_distribution<float> noise(0, static_cast<float>(kNoise));
+  for (int i = 0; i < 2400; ++i) {
+    const float side = i % 2 == 0 ? 1 : -1, off = side * 0.03F + noise(random), to = across(random);
+    const bool is_x = i % 4 < 2;
+    scan.points.emplace_back(0.6F + (is_x ? off : to), is_x ? to : off, up(random));
+    scan.normals.emplace_back(side * (is_x ? Eigen::Vector3f::UnitX() : Eigen::Vector3f::UnitY()));
+  }
+  EXPECT_TRUE(explain(scan).pieces.empty());
+}
+
 TEST(JointTree, SeesTheDatumFromBeyondEachJoint) {
   const auto tree = joint_tree(jointed().design);
   ASSERT_EQ(tree.size(), 5U);
