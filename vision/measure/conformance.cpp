@@ -15,6 +15,11 @@ namespace {
 
 double normal_below(double z) { return 0.5 * std::erfc(-z / std::numbers::sqrt2); }
 
+// `twentieth`, `thousandth`: what chance exceeds once in so many times, in standard deviations.
+bool is_beyond(double size, double u, double tolerance, double twentieth, double thousandth) {
+  return size >= tolerance + twentieth * u && size >= 0.5 * tolerance + thousandth * u;
+}
+
 }  // namespace
 
 Verdict decide(const Conformance& conformance) {
@@ -26,9 +31,8 @@ Verdict decide(const Conformance& conformance) {
 
 Conformance conformance_of(double deviation, double u, double tolerance) {
   assert(u > 0 && tolerance >= 0);
-  constexpr double kOneSided = 1.645;
   return {normal_below((tolerance - deviation) / u) - normal_below((-tolerance - deviation) / u),
-          std::abs(deviation) >= tolerance + kOneSided * u};
+          is_beyond(std::abs(deviation), u, tolerance, 1.645, 3.291)};
 }
 
 Conformance conformance_of(const Eigen::Vector2d& tilt, const Eigen::Matrix2d& covariance,
@@ -42,10 +46,9 @@ Conformance conformance_of(const Eigen::Vector2d& tilt, const Eigen::Matrix2d& c
   const double high = std::min(tolerance, middle.x() + 8 * sigma.x());
   const Eigen::Vector2d way = tilt.norm() > 0 ? Eigen::Vector2d(tilt.normalized())
                                               : Eigen::Vector2d(Eigen::Vector2d::UnitX());
-  constexpr double kTwoComponents = 2.448;
   const double u = std::sqrt(way.dot(covariance * way));
-  const bool is_beyond = tilt.norm() >= tolerance + kTwoComponents * u;
-  if (!(high > low)) return {0, is_beyond};
+  const bool beyond = is_beyond(tilt.norm(), u, tolerance, 2.448, 3.717);
+  if (!(high > low)) return {0, beyond};
   double sum = 0;
   const double width = (high - low) / kStrips;
   for (int i = 0; i < kStrips; ++i) {
@@ -56,7 +59,7 @@ Conformance conformance_of(const Eigen::Vector2d& tilt, const Eigen::Matrix2d& c
                          normal_below((-half - middle.y()) / sigma.y());
     sum += share * std::exp(-0.5 * z * z);
   }
-  return {std::min(1.0, sum * width / (sigma.x() * std::sqrt(2 * std::numbers::pi))), is_beyond};
+  return {std::min(1.0, sum * width / (sigma.x() * std::sqrt(2 * std::numbers::pi))), beyond};
 }
 
 }  // namespace spool
