@@ -11,6 +11,7 @@ from pathlib import Path
 CORE = ["vision/core"]
 VISION = ["vision/core", "vision/piping", "vision/scan", "vision/design", "vision/fit", "vision/align", "vision/find",
           "vision/inspect", "vision/measure"]
+GUIDE = ["vision/guide"]    # beside the main path: it knows designs, not scans
 MAY_INCLUDE = {
     "vision/core": CORE,
     "vision/piping": VISION[:2],
@@ -21,14 +22,15 @@ MAY_INCLUDE = {
     "vision/find": VISION[:7],
     "vision/inspect": VISION[:8],
     "vision/measure": VISION,
+    "vision/guide": VISION[:4] + GUIDE,
     "vision": VISION + ["vision"],
     "vision/live": VISION + ["vision", "vision/live"],
     "render": CORE + ["render"],
     "app/common": VISION + ["vision", "app/common"],
     "app/sensor": VISION + ["vision", "app/common", "app/sensor"],
-    "app/evidence": VISION + ["vision", "render", "app/common", "app/sensor", "app/guide", "app/evidence"],
-    "app/guide": VISION + ["vision", "app/common", "app/guide"],
-    "tools": VISION + ["vision", "vision/live", "render", "app/common", "app/sensor", "app/guide", "app/evidence", "tools"],
+    "app/job": VISION + GUIDE + ["vision", "app/common", "app/job"],
+    "app/evidence": VISION + GUIDE + ["vision", "render", "app/common", "app/sensor", "app/job", "app/evidence"],
+    "tools": VISION + GUIDE + ["vision", "vision/live", "render", "app/common", "app/sensor", "app/job", "app/evidence", "tools"],
     "app": None,    # joins everything
     "tests": None,
 }
