@@ -46,6 +46,7 @@ ONLY_IN = {
     r"tiny_gltf": ["vision/design", "tests/vision/design"],
     r"oneapi/tbb|tbb/": ["vision/core/parallel.cpp"],
     r"sodium": ["vision/core/file_digest.cpp"],
+    r"sqlite3": ["app/job/sqlite.cpp", "tests/app/job"],
     r"spdlog|fmt/": ["app", "tools"],
     r"nlohmann/": ["app", "tools", "tests", "render"],
     r"X11/": ["app"],

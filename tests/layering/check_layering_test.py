@@ -19,6 +19,9 @@ ROWS = [  # file, its text, what must be said (None: nothing)
     ("app/sensor/a.cpp", '#include <OpenNI.h>\n', "belongs only in"),
     ("app/sensor/openni_source.cpp", '#include <OpenNI.h>\n', None),
     ("vision/find/a.h", '#include "vision/design/b.h"\n', None),
+    ("app/runner/a.cpp", '#include <sqlite3.h>\n', "belongs only in"),
+    ("app/job/sqlite.cpp", '#include <sqlite3.h>\n', None),
+    ("vision/measure/a.cpp", '#include "vision/guide/b.h"\n', "may not include"),
     ("app/ui/a.cpp", '#include <GLES3/gl3.h>\n', "belongs only in"),
     ("tools/a.cpp", '#include <GLFW/glfw3.h>\n', "belongs only in"),
     ("elsewhere/a.cpp", "\n", "lies in no folder"),
@@ -31,7 +34,7 @@ def main():
     for name, text, expected in ROWS:
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder)
-            for target in ("vision/scan/b.h", "vision/design/b.h"):
+            for target in ("vision/scan/b.h", "vision/design/b.h", "vision/guide/b.h"):
                 (root / target).parent.mkdir(parents=True, exist_ok=True)
                 (root / target).write_text("\n", encoding="utf-8")
             (root / name).parent.mkdir(parents=True, exist_ok=True)
