@@ -29,6 +29,10 @@ TEST(AssemblyOrder, GoesFromTheDatumOutward) {
 TEST(AssemblyOrder, WithoutDatumStartsAtAFlangeOfTheHeaviestRun) {
   DesignModel design = small_spool();
   EXPECT_EQ(guide::base_part(design), part_named(design, "flange_1"));
+  // With a cap for the flange on the first end, the run's other end is its flange.
+  DesignModel capped = small_spool();
+  capped.parts[static_cast<std::size_t>(part_named(capped, "flange_1"))].kind = PartKind::kCap;
+  EXPECT_EQ(guide::base_part(capped), part_named(capped, "flange_2"));
   // One bore larger and long enough, the branch is heavier; its open end turns off at the elbow.
   Part& branch = design.parts[static_cast<std::size_t>(part_named(design, "pipe_3"))];
   branch.nps = 24;

@@ -45,6 +45,21 @@ TEST(CutLength, OfAnOpenEndTakesNoGapThere) {
   EXPECT_EQ(cut->ends[1].neighbour, -1);
 }
 
+TEST(CutLength, OfTwoPipesThatMeetTakesHalfTheGapOffEach) {
+  DesignModel design = small_spool();
+  Part further = design.parts[static_cast<std::size_t>(part_named(design, "pipe_4"))];
+  further.name = "pipe_5";
+  further.T_design_part.translation().x() += 0.2;
+  design.parts.push_back(further);
+  const int pipe_4 = part_named(design, "pipe_4"), pipe_5 = part_named(design, "pipe_5");
+  design.joints.push_back({"W8", pipe_4, 1, pipe_5, 0, JointType::kFab});
+  const auto ends = joint_ends(design);
+  EXPECT_NEAR(cut_length(design, ends, pipe_4, {GapRule::kSubtract, 0.003})->cut_m(), 0.1955,
+              kExact_m);
+  EXPECT_NEAR(cut_length(design, ends, pipe_5, {GapRule::kSubtract, 0.003})->cut_m(), 0.1985,
+              kExact_m);
+}
+
 TEST(CutLength, OfAFittingThereIsNone) {
   const DesignModel design = small_spool();
   EXPECT_FALSE(cut_length(design, joint_ends(design), part_named(design, "tee_1"), {}));
