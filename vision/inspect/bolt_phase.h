@@ -48,12 +48,10 @@ class BoltPhase {
   [[nodiscard]] std::optional<BoltTurn> turn() const;
 
  private:
-  using Bins = std::vector<BoltLook::Bin>;
+  using Bins = std::vector<RingBin>;
   [[nodiscard]] Bins all_bins() const;
   [[nodiscard]] double scatter_of_phase(const Bins& all,
                                         const std::complex<double>& direction) const;
-  [[nodiscard]] bool are_holes(const Bins& all, double phase_rad, double amplitude) const;
-  [[nodiscard]] std::optional<double> share_at(const Bins& all, double angle_rad) const;
 
   BoltHoles holes_;
   BoltPhaseOptions options_;

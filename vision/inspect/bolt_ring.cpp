@@ -64,6 +64,12 @@ std::optional<BoltRing> BoltRing::of(const DesignModel& design, int part) {
   return ring;
 }
 
+std::optional<double> BoltRing::face_height_m(double side) const {
+  for (const Face& face : faces_)
+    if (face.side * side > 0) return face.z_m;
+  return std::nullopt;
+}
+
 std::optional<BoltLook> BoltRing::read(const DepthFrame& frame, const Camera& camera,
                                        const NoiseModel& noise, const Pose& T_design_camera) const {
   const Pose T_camera_part = T_design_camera.inverse() * T_design_part_;
@@ -121,7 +127,7 @@ std::optional<BoltLook> BoltRing::read(const DepthFrame& frame, const Camera& ca
       }
       const double turns = std::atan2(on_face.y(), on_face.x()) / (2 * kPi);
       const auto bins = static_cast<double>(look.bins.size());
-      BoltLook::Bin& bin = look.bins[static_cast<std::size_t>(
+      RingBin& bin = look.bins[static_cast<std::size_t>(
           std::min(bins - 1, (turns < 0 ? turns + 1 : turns) * bins))];
       bin.seen += 1;
       bin.through += behind > gate ? 1.0F : 0.0F;

@@ -13,6 +13,7 @@
 #include "vision/core/depth_frame.h"
 #include "vision/core/pose.h"
 #include "vision/design/design_model.h"
+#include "vision/inspect/hole_harmonic.h"
 #include "vision/scan/noise_model.h"
 
 namespace spool {
@@ -20,12 +21,8 @@ namespace spool {
 // What one frame shows of the ring, by the angle about the flange's axis: x of the part's frame at
 // 0, right-handed about z.
 struct BoltLook {
-  struct Bin {
-    float seen = 0;     // readings on the face or behind it…
-    float through = 0;  // …and behind it
-  };
-  std::vector<Bin> bins;  // equal parts of a turn
-  double pixel_m = 0;     // across, on the face
+  std::vector<RingBin> bins;  // readings on the face or behind it, and those behind it
+  double pixel_m = 0;         // across, on the face
 };
 
 // The ring of a flange's face in which the holes lie.
@@ -35,6 +32,11 @@ class BoltRing {
   [[nodiscard]] static std::optional<BoltRing> of(const DesignModel& design, int part);
 
   [[nodiscard]] const BoltHoles& holes() const { return holes_; }
+  // The ring reaches so far to either side of the bolt circle: about a hole's radius.
+  [[nodiscard]] double half_width_m() const { return half_width_m_; }
+  // m, along z of the part's frame: the flat round the holes that looks along z (side 1) or against
+  // it (-1).
+  [[nodiscard]] std::optional<double> face_height_m(double side) const;
 
   // The flange is within millimetres of where the pose has it, along its axis and aside. Nothing
   // where its face is turned away, outside the picture or hidden.

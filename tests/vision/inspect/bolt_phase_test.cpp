@@ -42,8 +42,8 @@ struct Ring {
     for (int i = 0; i < 600; ++i) {
       const double angle = anywhere(random);
       const double off = std::abs(std::remainder(angle - phase, pitch));
-      BoltLook::Bin& bin = look.bins[static_cast<std::size_t>(
-          angle / (2 * std::numbers::pi) * static_cast<double>(look.bins.size()))];
+      RingBin& bin = look.bins[static_cast<std::size_t>(angle / (2 * std::numbers::pi) *
+                                                        static_cast<double>(look.bins.size()))];
       bin.seen += 1;
       bin.through += off < 0.1 * pitch ? 1.0F : 0.0F;
     }
