@@ -36,7 +36,7 @@ void refuse_other_keys(const nlohmann::json& json, std::initializer_list<std::st
 Status read_table(const nlohmann::json& json, const std::string& file, const std::string& where,
                   const TableKeys& keys, ToleranceTable& table) {
   JsonObject object(json, file, where);
-  refuse_other_keys(json, {"clause", "steps", "slope"}, object);
+  refuse_other_keys(json, {"clause", "steps", "slope", "reading"}, object);
   table.clause = object.text_or("clause", "");
   const nlohmann::json& steps = object.array("steps");
   double last = 0;
@@ -66,10 +66,10 @@ Result<RuleSet> read_rules(const std::filesystem::path& path) {
   if (!json) return json.error();
   const std::string file = path.string();
   JsonObject object(*json, file);
-  refuse_other_keys(
-      *json,
-      {"name", "length_by_nps", "length_by_length", "alignment", "angle", "fitting_allowance_mm"},
-      object);
+  refuse_other_keys(*json,
+                    {"name", "length_by_nps", "length_by_length", "alignment", "angle", "rotation",
+                     "fitting_allowance_mm"},
+                    object);
   RuleSet rules;
   rules.name = object.text_or("name", path.stem().string());
   rules.fitting_allowance_m = kMillimetre * object.number_or("fitting_allowance_mm", 0);
@@ -87,7 +87,8 @@ Result<RuleSet> read_rules(const std::filesystem::path& path) {
   const Row rows[] = {{"length_by_nps", by_nps, rules.length_by_nps},
                       {"length_by_length", by_length, rules.length_by_length},
                       {"alignment", by_length, rules.alignment},
-                      {"angle", of_angle, rules.angle}};
+                      {"angle", of_angle, rules.angle},
+                      {"rotation", by_length, rules.rotation}};
   for (const Row& row : rows) {
     if (!object.has(row.key)) continue;
     if (auto status = read_table((*json)[row.key], file, row.key, row.keys, row.table); !status)
@@ -99,6 +100,17 @@ Result<RuleSet> read_rules(const std::filesystem::path& path) {
     if (!alignment.error() && rules.alignment_slope < 0)
       alignment.fail("slope", "may not be under 0");
     if (alignment.error()) return *alignment.error();
+  }
+  if (object.has("rotation")) {
+    JsonObject rotation((*json)["rotation"], file, "rotation");
+    const std::string reading = rotation.text_or("reading", "stricter");
+    if (reading == "arc")
+      rules.rotation_reading = RotationReading::kArc;
+    else if (reading == "level")
+      rules.rotation_reading = RotationReading::kLevel;
+    else if (reading != "stricter")
+      rotation.fail("reading", "has to be stricter, arc or level");
+    if (rotation.error()) return *rotation.error();
   }
   return rules;
 }

@@ -17,6 +17,8 @@ namespace spool {
 //  "alignment":        {"clause": "…", "slope": 0.0039,
 //                       "steps": [{"up_to_mm": 400, "tolerance_mm": 0.8}, …]},
 //  "angle":            {"clause": "…", "steps": [{"up_to_mm": 400, "tolerance_deg": 0.5}, …]},
+//  "rotation":         {"clause": "…", "reading": "stricter|arc|level",
+//                       "steps": [{"up_to_mm": 400, "tolerance_mm": 1.5}, …]},
 //  "fitting_allowance_mm": 2}
 // All but the name may be missing; a table's last step may leave up_to out: for all beyond.
 // kBadInput names the file and what is wrong: a tolerance that is not over zero, steps that do not

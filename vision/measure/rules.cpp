@@ -4,6 +4,8 @@
 #include "vision/measure/rules.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace spool {
 namespace {
@@ -48,6 +50,24 @@ std::optional<Tolerance> angle_tolerance(const RuleSet& rules, double shorter_le
   const std::optional<double> value = rules.angle.at(shorter_leg_m);
   if (!value) return std::nullopt;
   return Tolerance{*value, cited(rules, rules.angle.clause)};
+}
+
+std::optional<Tolerance> rotation_tolerance(const RuleSet& rules, int holes, double bolt_circle_m) {
+  if (holes < 2 || !(bolt_circle_m > 0)) return std::nullopt;
+  if (rules.rotation.steps.empty()) {
+    if (rules.angle.steps.empty()) return std::nullopt;
+    return angle_tolerance(rules, bolt_circle_m, bolt_circle_m);
+  }
+  const std::optional<double> along_m = rules.rotation.at(bolt_circle_m);
+  if (!along_m) return std::nullopt;
+  const double arc = *along_m / (bolt_circle_m / 2);
+  // The two holes are a chord of the bolt circle apart.
+  const double level = *along_m / (bolt_circle_m * std::sin(std::numbers::pi / holes));
+  const bool is_arc = rules.rotation_reading == RotationReading::kArc ||
+                      (rules.rotation_reading == RotationReading::kStricter && arc <= level);
+  return Tolerance{is_arc ? arc : level,
+                   cited(rules, rules.rotation.clause) +
+                       (is_arc ? ", along the bolt circle" : ", level across two holes")};
 }
 
 }  // namespace spool

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,11 @@ struct ToleranceTable {
   [[nodiscard]] std::optional<double> at(double value) const;
 };
 
+// A flange that is turned about its axis moves its holes along the bolt circle (an arc), and lifts
+// one of the two holes that straddle the centreline over the other (a level across them). The
+// stricter of both is what holds by either.
+enum class RotationReading : std::uint8_t { kStricter, kArc, kLevel };
+
 // Every table may be empty: then nothing of its kind is judged.
 struct RuleSet {
   std::string name;
@@ -36,6 +42,10 @@ struct RuleSet {
   // Angles between legs (rad) by the shorter leg's length (m). Empty: as alignment, across the
   // pipe.
   ToleranceTable angle;
+  // How far (m) a flange's holes may be turned, by the bolt circle's diameter (m), and how that is
+  // measured. Empty: as an angle over the bolt circle's diameter.
+  ToleranceTable rotation;
+  RotationReading rotation_reading = RotationReading::kStricter;
   // Fitting to fitting with no pipe between (PFI ES-3, 2.4): what each of the two fittings may be
   // off by itself (m) is allowed on top. 0: no exemption.
   double fitting_allowance_m = 0;
@@ -55,6 +65,9 @@ struct Tolerance {
 // Of the angle (rad) between two legs.
 [[nodiscard]] std::optional<Tolerance> angle_tolerance(const RuleSet& rules, double shorter_leg_m,
                                                        double diameter_m);
+// Of the turn (rad) of a flange with `holes` holes on a circle of that diameter (m).
+[[nodiscard]] std::optional<Tolerance> rotation_tolerance(const RuleSet& rules, int holes,
+                                                          double bolt_circle_m);
 
 // PFI ES-3 (2009).
 [[nodiscard]] RuleSet pfi_es3();

@@ -57,6 +57,9 @@ RuleSet pfi_es3() {
   constexpr double kInch = 0.0254;
   rules.alignment = {{{kAny, kInch / 32}}, "3.1"};
   rules.alignment_slope = 3.0 / 64 / 12;
+  // 3.1, figure 1: flanges are turned by 1/16 in at most; of what, along or across, it does not
+  // say.
+  rules.rotation = {{{kAny, kInch / 16}}, "3.1"};
   return rules;
 }
 

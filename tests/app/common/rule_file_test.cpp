@@ -20,6 +20,7 @@ constexpr const char* kWhole = R"({"name": "Shop 7",
   "alignment": {"clause": "4.3", "slope": 0.002, "steps": [{"tolerance_mm": 0.5}]},
   "angle": {"clause": "4.4", "steps": [{"up_to_mm": 500, "tolerance_deg": 0.5},
                                        {"tolerance_deg": 0.25}]},
+  "rotation": {"clause": "4.5", "reading": "arc", "steps": [{"tolerance_mm": 1}]},
   "fitting_allowance_mm": 2})";
 
 class RuleFile : public testing::Test {
@@ -44,6 +45,8 @@ TEST_F(RuleFile, IsReadAsItIsWritten) {
   EXPECT_DOUBLE_EQ(alignment_tolerance(*rules, 0.1)->value, 0.005);
   EXPECT_DOUBLE_EQ(alignment_tolerance(*rules, 1.0)->value, 0.002);
   EXPECT_NEAR(angle_tolerance(*rules, 0.5, 0.1)->value, 0.5 * std::numbers::pi / 180, 1e-12);
+  EXPECT_DOUBLE_EQ(rotation_tolerance(*rules, 4, 0.1)->value, 0.02);
+  EXPECT_EQ(rotation_tolerance(*rules, 4, 0.1)->rule, "Shop 7 4.5, along the bolt circle");
   EXPECT_NEAR(angle_tolerance(*rules, 0.51, 0.1)->value, 0.25 * std::numbers::pi / 180, 1e-12);
 }
 
@@ -73,6 +76,7 @@ TEST_F(RuleFile, IsRefusedWithTheReason) {
       {R"({"length_by_nps": {"steps": [{"tolerance_mm": 1}, {"up_to_nps": 4, "tolerance_mm": 2}]}})",
        "up_to_nps"},
       {R"({"alignment": {"slope": -1, "steps": [{"tolerance_mm": 1}]}})", "slope"},
+      {R"({"rotation": {"reading": "chord", "steps": [{"tolerance_mm": 1}]}})", "stricter"},
       {R"({"fitting_allowance_mm": -1})", "fitting_allowance_mm"},
       {R"([1, 2])", "object"},
       {R"({"angle": 3})", "angle"},

@@ -46,6 +46,28 @@ TEST(PfiEs3, AlignmentIsTheGreaterOfBothReadings) {
   EXPECT_DOUBLE_EQ(angle_tolerance(pfi_es3(), 0.5, 0.1143)->value, at(0.1143).value);
 }
 
+TEST(PfiEs3, RotationIsASixteenthOfAnInchByTheStricterReading) {
+  RuleSet rules = pfi_es3();
+  // Bolt circles of ASME B16.5, class 150: along the circle 1/16 in, or as a difference in level
+  // across two holes, which is stricter for four of them alone.
+  EXPECT_NEAR(rotation_tolerance(rules, 8, 0.1905)->value / kDegree, 0.955, 0.001);   // NPS 4
+  EXPECT_NEAR(rotation_tolerance(rules, 20, 0.7493)->value / kDegree, 0.243, 0.001);  // NPS 24
+  EXPECT_NEAR(rotation_tolerance(rules, 4, 0.1207)->value / kDegree, 1.066, 0.001);   // NPS 2
+  EXPECT_EQ(rotation_tolerance(rules, 8, 0.1905)->rule, "PFI ES-3 3.1, along the bolt circle");
+  EXPECT_EQ(rotation_tolerance(rules, 4, 0.1207)->rule, "PFI ES-3 3.1, level across two holes");
+  rules.rotation_reading = RotationReading::kArc;
+  EXPECT_NEAR(rotation_tolerance(rules, 4, 0.1207)->value / kDegree, 1.507, 0.001);
+  rules.rotation_reading = RotationReading::kLevel;
+  EXPECT_NEAR(rotation_tolerance(rules, 8, 0.1905)->value / kDegree, 1.248, 0.001);
+  EXPECT_FALSE(rotation_tolerance(rules, 8, 0)) << "of no known circle";
+}
+
+TEST(Iso13920, RotationIsAnAngleOverTheBoltCircle) {
+  EXPECT_NEAR(rotation_tolerance(iso_13920('B', 'F'), 8, 0.1905)->value / kDegree, 0.75, 1e-9);
+  EXPECT_NEAR(rotation_tolerance(iso_13920('B', 'F'), 20, 0.7493)->value / kDegree, 0.5, 1e-9);
+  EXPECT_FALSE(rotation_tolerance(RuleSet{}, 8, 0.1905));
+}
+
 TEST(PfiEs3, ExemptsFittingToFittingOnlyWhereAsked) {
   RuleSet rules = pfi_es3();
   EXPECT_DOUBLE_EQ(length_tolerance(rules, 4, 0.3, 2)->value, 0.003);
