@@ -14,6 +14,7 @@
 #include "vision/inspect/missing_parts.h"
 #include "vision/inspect/scan_alignment.h"
 #include "vision/inspect/spool_findings.h"
+#include "vision/measure/bolt_holes.h"
 #include "vision/measure/dimensions.h"
 #include "vision/measure/judge_dimensions.h"
 
@@ -76,7 +77,7 @@ std::string why_nothing_ok(const Alignment& alignment, const InspectorOptions& o
   return "";
 }
 
-// Pipe axes and flange faces from the points of their parts.
+// Pipe axes, flange faces and how their bolt holes stand, from the points of their parts.
 PartFeatures fit_features(const DesignModel& design, const InspectorOptions& options,
                           double noise_m, const Inspection& inspection, const Watch& watch) {
   FeatureScan scan{inspection.scan_design, inspection.declutter.classes, inspection.deviations};
@@ -85,7 +86,9 @@ PartFeatures fit_features(const DesignModel& design, const InspectorOptions& opt
   scan.bound_m = static_cast<double>(deviation_bound(noise_m));
   if (options.single_frame)  // the camera stands at the scan's origin
     scan.eye = inspection.alignment.T_design_scan.translation() - design.origin;
-  return measure_features(design, scan, watch);
+  PartFeatures features = measure_features(design, scan, watch);
+  add_bolt_holes(design, drawing_of(design), scan, features, watch);
+  return features;
 }
 
 // The drawing's dimensions between them, and what they say of the parts.

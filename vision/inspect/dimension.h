@@ -33,10 +33,11 @@ struct Dimension {
   std::string rule;        // the clause, or why there is none
   double probability = 0;  // of lying within the tolerance (JCGM 106)
   Verdict status = Verdict::kNotMeasured;
-  std::string reason;      // why not better, and what would settle it
-  std::vector<int> parts;  // between its ends, both included
-  int answers = -1;        // the part that is wrong where the dimension is: a cut length's pipe, an
-                           // elbow, a flange
+  std::string reason;         // why not better, and what would settle it
+  std::vector<int> parts;     // between its ends, both included
+  bool is_one_holed = false;  // a rotation: it is off by about half the pitch of the holes
+  int answers = -1;  // the part that is wrong where the dimension is: a cut length's pipe, an
+                     // elbow, a flange
 };
 
 // A size that a part's own surface tells.

@@ -52,7 +52,8 @@ struct PartFinding {
 };
 
 struct Finding {
-  std::string kind;  // missing | unexpected | misplaced | mirrored | wrong_size | scale | symmetry
+  std::string kind;  // missing | unexpected | misplaced | one_holed | mirrored | wrong_size | scale
+                     // | symmetry
   std::string part;
   std::string text;
   std::string evidence;

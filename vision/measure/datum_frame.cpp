@@ -4,7 +4,9 @@
 #include "vision/measure/datum_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -51,6 +53,11 @@ int furthest_off(int datum, const Drawing& drawing, const FeatureGeometry& geome
 
 }  // namespace
 
+bool is_one_holed(double turn_rad, int count) {
+  const double pitch = 2 * std::numbers::pi / count;
+  return std::abs(std::remainder(turn_rad, pitch)) > (0.5 - kOneHoledWithin) * pitch;
+}
+
 DatumFrame datum_frame(const DesignModel& design, const Drawing& drawing,
                        const PartFeatures& features, const FeatureGeometry& geometry) {
   DatumFrame datum;
@@ -80,11 +87,8 @@ DatumFrame datum_frame(const DesignModel& design, const Drawing& drawing,
   const PointFunction axis = geometry.outward(datum.node, leg).at;
   PointFunction turn;
   datum.clocked_by = furthest_off(datum.node, drawing, geometry, turn);
-  datum.text = name_of(node, design) + " and the axis of the pipe on it";
-  if (datum.clocked_by >= 0)
-    datum.text += ", turned about it by " + name_of(drawing.nodes[at(datum.clocked_by)], design);
   const Vector3d any = drawing.legs[at(leg)].direction.unitOrthogonal();
-  datum.T_design_datum = [place, axis, turn, any](const FeatureState& state) {
+  const FrameFunction by_node = [place, axis, turn, any](const FeatureState& state) {
     Pose T = Pose::Identity();
     T.translation() = place(state);
     const Vector3d z = axis(state);
@@ -94,6 +98,37 @@ DatumFrame datum_frame(const DesignModel& design, const Drawing& drawing,
     T.linear().col(1) = z.cross(x);
     T.linear().col(2) = z;
     return T;
+  };
+  if (turn) datum.T_design_by_node = by_node;
+  datum.T_design_datum = by_node;
+  datum.text = name_of(node, design) + " and the axis of the pipe on it";
+  const std::string by =
+      turn ? ", turned about it by " + name_of(drawing.nodes[at(datum.clocked_by)], design) : "";
+  const int holes = features.holes_of(node.part);
+  if (holes < 0) {
+    datum.text += by;
+    return datum;
+  }
+  const Part& part = design.parts[at(node.part)];
+  const int count = part.holes->count;
+  const auto off = turn_of_holes(holes, by_node, geometry.nominal());
+  if (turn && is_one_holed(off(geometry.measured()), count)) {
+    // Whether by half a pitch forth or back nobody knows.
+    datum.text += by + ", as its bolt holes stand half a pitch off";
+    return datum;
+  }
+  datum.holes = holes;
+  datum.text += ", turned about it by its bolt holes";
+  const double pitch = 2 * std::numbers::pi / count;
+  const bool is_along = drawing.legs[at(leg)].from == datum.node;  // z is the leg's way
+  const Vector3d z = is_along ? drawing.legs[at(leg)].direction : -drawing.legs[at(leg)].direction;
+  // Turns are told about the part's own z.
+  const double sense = part.T_design_part.linear().col(2).dot(z) < 0 ? -1 : 1;
+  const bool is_known = static_cast<bool>(turn);
+  datum.T_design_datum = [by_node, off, pitch, sense, is_known](const FeatureState& state) {
+    // Which of the holes is the first the node tells; without one it does not matter.
+    const double turned = is_known ? std::remainder(off(state), pitch) : off(state);
+    return Pose(by_node(state) * Eigen::AngleAxisd(sense * turned, Vector3d::UnitZ()));
   };
   return datum;
 }

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "vision/inspect/joint_tree.h"
 #include "vision/measure/conformance.h"
 #include "vision/measure/datum_frame.h"
+#include "vision/measure/dimension_text.h"
 #include "vision/measure/feature_geometry.h"
 #include "vision/measure/part_shapes.h"
+#include "vision/measure/rotation.h"
 
 namespace spool {
 namespace {
@@ -24,28 +24,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-std::string_view word(NodeKind kind) {
-  return kind == NodeKind::kFace ? "face" : kind == NodeKind::kCentre ? "centre" : "end";
-}
-
-// "centre_to_face": centre before face before end, as people say it.
-std::string kind_of(NodeKind a, NodeKind b) {
-  const auto rank = [](NodeKind kind) {
-    return kind == NodeKind::kCentre ? 0 : kind == NodeKind::kFace ? 1 : 2;
-  };
-  if (rank(b) < rank(a)) std::swap(a, b);
-  return std::string(word(a)) + "_to_" + std::string(word(b));
-}
-
-std::string text_of(double value, bool is_angle) {
-  char text[32];
-  if (is_angle)
-    std::snprintf(text, sizeof text, "%.2f°", value * 180 / std::numbers::pi);
-  else
-    std::snprintf(text, sizeof text, "%.1f mm", 1000 * value);
-  return text;
-}
 
 VectorXd one(double value) { return VectorXd::Constant(1, value); }
 
@@ -84,7 +62,7 @@ class Measuring {
     const DrawingLeg& leg = drawing_.legs[at(index)];
     const DrawingNode& from = drawing_.nodes[at(leg.from)];
     const DrawingNode& to = drawing_.nodes[at(leg.to)];
-    Dimension dimension = between(kind_of(from.kind, to.kind), name_of(from, design_),
+    Dimension dimension = between(kind_between(from.kind, to.kind), name_of(from, design_),
                                   name_of(to, design_), leg.parts);
     dimension.nominal = leg.length_m;
     dimension.answers = leg.pipes.empty() ? to.part : leg.pipes.front();
@@ -212,7 +190,7 @@ class Measuring {
     const DrawingNode& from = drawing_.nodes[at(datum_.node)];
     dimension.nominal = across.dot(face.point - from.point);
     const Pose T_nominal = datum_.T_design_datum(nominal_);
-    const bool turns = datum_.clocked_by < 0 && is_aside(face.point, from);
+    const bool turns = !datum_.is_clocked() && is_aside(face.point, from);
     if (turns) {
       dimension.reason = "nothing that was measured holds the turn about the datum's axis";
       return refuse(std::move(dimension));
@@ -225,21 +203,39 @@ class Measuring {
         std::move(dimension));
   }
 
-  // How holes, taps and flat sides stand about a part's axis is part of the drawing, and no feature
-  // here tells it: what it would say is listed, so that nothing is ok without it.
   void rotation(int index) {
     const Part& part = design_.parts[at(index)];
-    if (!part.holes && part.marks.empty()) return;
-    Dimension dimension =
-        between("rotation", part.name + "/axis",
-                part.name + (part.holes ? "/holes" : "/" + part.marks.front().type), {index});
+    if (part.holes) holes_turn(index);
+    // Where a tap or a flat side points no feature here tells: it is listed, so that nothing is ok
+    // without it.
+    if (part.marks.empty()) return;
+    const std::string& mark = part.marks.front().type;
+    Dimension dimension = between("rotation", part.name + "/axis", part.name + "/" + mark, {index});
     dimension.is_angle = true;
     dimension.rule = "it is not judged";
-    dimension.reason = part.holes ? "Not measured: how its bolt holes stand about its axis. Check "
-                                    "them by level or by two pins."
-                                  : "Not measured: where its " + part.marks.front().type +
-                                        " points. Check it against the drawing.";
+    dimension.reason = "Not measured: where its " + mark + " points. Check it against the drawing.";
     dimensions_.push_back(std::move(dimension));
+  }
+
+  void holes_turn(int index) {
+    const BoltHoles& holes = *design_.parts[at(index)].holes;
+    HolesRotation turned =
+        rotation_of_holes(design_, drawing_, features_, datum_, measured_, index);
+    if (turned.is_datum) return;
+    Dimension dimension = between("rotation", turned.from, design_.parts[at(index)].name + "/holes",
+                                  std::move(turned.parts));
+    dimension.is_angle = true;
+    dimension.nominal = turned.nominal_rad;
+    dimension.answers = turned.answers;
+    dimension.is_one_holed = turned.is_one_holed;
+    tolerate(rotation_tolerance(rules_, holes.count, holes.bolt_circle_m), dimension);
+    if (!turned.at) {
+      dimension.reason = "Not measured: " + turned.why_not + ". " + advice_on(dimension);
+      dimensions_.push_back(std::move(dimension));
+      return;
+    }
+    take_number([&](const FeatureState& state) { return one(turned.at(state)); },
+                std::move(dimension));
   }
 
   [[nodiscard]] bool is_aside(const Vector3d& point, const DrawingNode& datum) const {
@@ -329,7 +325,7 @@ class Measuring {
   }
 
   void settle(const Conformance& conformance, Dimension dimension) {
-    const auto text = [&](double value) { return text_of(value, dimension.is_angle); };
+    const auto text = [&](double value) { return number_text(value, dimension.is_angle); };
     const double u = dimension.u.total();
     if (!(dimension.tolerance > 0)) {
       dimension.status = Verdict::kSuspicious;
@@ -339,28 +335,15 @@ class Measuring {
       dimension.status = decide(conformance);
       dimension.reason = "Off by " + text(dimension.deviation) + " ± " + text(2 * u) +
                          ", allowed ± " + text(dimension.tolerance) + ".";
-      if (dimension.status == Verdict::kSuspicious) dimension.reason += " " + advice(dimension);
+      if (dimension.is_one_holed)
+        dimension.reason += " That is half a pitch: its holes look one-holed.";
+      if (dimension.status == Verdict::kSuspicious) dimension.reason += " " + advice_on(dimension);
       if (dimension.status == Verdict::kOk && !options_.nothing_ok.empty()) {
         dimension.status = Verdict::kSuspicious;
         dimension.reason += " " + options_.nothing_ok;
       }
     }
     dimensions_.push_back(std::move(dimension));
-  }
-
-  // What would settle it: the largest part of the doubt, unless the number itself lies at the
-  // limit.
-  static std::string advice(const Dimension& dimension) {
-    const UncertaintyBudget& u = dimension.u;
-    if (1.645 * u.total() < 0.25 * dimension.tolerance)
-      return "It lies at the limit: measure it by hand.";
-    if (u.scale >= u.fit && u.scale >= u.warp)
-      return "Most of the doubt is the sensor's scale: calibrate the sensor, or measure it by "
-             "hand.";
-    if (u.warp >= u.fit)
-      return "Most of the doubt is the sensor's warp: scan it in the middle of the picture, or "
-             "measure it by hand.";
-    return "Scan it from nearer and from more sides, or measure it by hand.";
   }
 
   const DesignModel& design_;

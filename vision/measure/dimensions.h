@@ -28,12 +28,12 @@ struct MeasuredDrawing {
 // elbow and tee the angle between legs; of every flange how far its face leans against the pipe
 // that it is on (face_alignment); of every face but the datum's how far it stands aside of where
 // the drawing has it, seen from the datum (offset), across its own leg in two directions; all that
-// lies between is part of it. Of every part with holes or marks how it is turned (rotation):
-// listed, and not measured.
+// lies between is part of it. Of every flange with holes how it is turned about its axis
+// (rotation_of_holes()); of every part with marks the same, listed and not measured.
 //
 // The datum is the first of the design's `datums` that is a flange, else the flange that is known
-// best: its centre, the axis of its leg, and about that axis the point of the drawing that lies
-// furthest off it.
+// best: its centre, the axis of its leg, and about that axis its own bolt holes, or where these are
+// not known or half a pitch off the point of the drawing that lies furthest off it.
 //
 // Nominal is measured in the same way on the design's own features. A dimension of which a feature
 // is missing, or that would move with what no feature holds, is not_measured with the reason.

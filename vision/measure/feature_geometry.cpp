@@ -135,6 +135,17 @@ FeatureState FeatureGeometry::measured() const {
   return state;
 }
 
+std::function<double(const FeatureState&)> turn_of_holes(int feature, const FrameFunction& frame,
+                                                         const FeatureState& nominal) {
+  // Where the frame has the part's x.
+  const Vector3d x = frame(nominal).linear().transpose() * nominal[at(feature)].linear().col(0);
+  return [feature, frame, x](const FeatureState& state) {
+    const Eigen::Matrix3d holes = state[at(feature)].linear();
+    const Vector3d drawn = holes.transpose() * frame(state).linear() * x;
+    return -std::atan2(drawn.y(), drawn.x());
+  };
+}
+
 Propagated propagate(const std::function<Eigen::VectorXd(const FeatureState&)>& function,
                      const PartFeatures& features, const FeatureState& measured) {
   Propagated result;

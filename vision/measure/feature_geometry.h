@@ -21,6 +21,8 @@ namespace spool {
 using FeatureState = std::vector<Pose>;
 using PointFunction = std::function<Eigen::Vector3d(const FeatureState&)>;
 
+using FrameFunction = std::function<Pose(const FeatureState&)>;
+
 // Which features make a point or direction; without them, why.
 struct FeaturePoint {
   PointFunction at;  // m or unit, design frame; empty: not measured
@@ -56,6 +58,13 @@ class FeatureGeometry {
   const Drawing& drawing_;
   const PartFeatures& features_;
 };
+
+// How far (rad) the feature of holes stands turned from where the drawing has it in `frame`,
+// right-handed about the feature's z and between -pi and pi: of what is read modulo their pitch, as
+// if the first hole had been known. 0 of the nominal state.
+[[nodiscard]] std::function<double(const FeatureState&)> turn_of_holes(int feature,
+                                                                       const FrameFunction& frame,
+                                                                       const FeatureState& nominal);
 
 // A number, or two of them, of the features, and what their covariances make of it.
 struct Propagated {

@@ -30,7 +30,8 @@ void judge_part(const DesignModel& design, const std::vector<Dimension>& dimensi
   for (const Dimension& dimension : dimensions) {
     if (dimension.answers != finding.part || dimension.status != Verdict::kNotOk) continue;
     const std::string text = dimension.kind + " " + dimension.name + ": " + dimension.reason;
-    findings.push_back({"misplaced", name, text, dimension.rule});
+    findings.push_back(
+        {dimension.is_one_holed ? "one_holed" : "misplaced", name, text, dimension.rule});
     if (finding.status != Verdict::kNotOk) finding.reason = text;
     finding.status = Verdict::kNotOk;
   }

@@ -329,7 +329,15 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 int PartFeatures::of(int part) const {
   for (std::size_t i = 0; i < features.size(); ++i)
-    if (features[i].part == part) return static_cast<int>(i);
+    if (features[i].part == part && features[i].kind != FeatureKind::kHoles)
+      return static_cast<int>(i);
+  return -1;
+}
+
+int PartFeatures::holes_of(int part) const {
+  for (std::size_t i = 0; i < features.size(); ++i)
+    if (features[i].part == part && features[i].kind == FeatureKind::kHoles)
+      return static_cast<int>(i);
   return -1;
 }
 
@@ -337,6 +345,7 @@ PartFeatures measure_features(const DesignModel& design, const FeatureScan& scan
                               const Watch& watch) {
   PartFeatures all;
   all.why_not.resize(design.parts.size());
+  all.why_no_holes.resize(design.parts.size());
   const auto readings = readings_by_part(design, scan, watch);
   ScatterPool pool;
   std::vector<Fitted> fits;

@@ -1,4 +1,4 @@
-// What the points of a part say of its own feature: a pipe's axis, the face of a flange.
+// What the points of a part say of its own feature: a pipe's axis, a flange's face and its holes.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
@@ -20,13 +20,14 @@
 
 namespace spool {
 
-enum class FeatureKind : std::uint8_t { kAxis, kFace };
+enum class FeatureKind : std::uint8_t { kAxis, kFace, kHoles };
 
 struct PartFeature {
   int part = -1;
   FeatureKind kind = FeatureKind::kAxis;
   // z: a pipe's axis from its first port to its second, or a face's outward normal; the origin on
-  // the axis or in the face, at the middle of the points. Nominal: where the design has it.
+  // the axis or in the face, at the middle of the points. Of holes the part's own frame moved into
+  // its face: x as the holes stand, modulo their pitch. Nominal: where the design has it.
   Pose T_design_nominal = Pose::Identity();
   Pose T_design_measured = Pose::Identity();
   // Of a small motion of the measured frame in itself: what random noise and its correlation leave
@@ -34,7 +35,7 @@ struct PartFeature {
   Matrix6d fit_covariance = Matrix6d::Zero();
   Matrix6d warp_covariance = Matrix6d::Zero();
   // Which of the six motions the points hold: an axis neither slides nor turns about itself, a face
-  // neither shifts in its plane nor turns in it.
+  // neither shifts in its plane nor turns in it, holes tell how a face turns and leans.
   std::array<bool, 6> is_observed = {};
   std::size_t points = 0;
   // Of an axis, its radius left free: m, and its standard uncertainty.
@@ -55,14 +56,18 @@ struct FeatureScan {
 struct PartFeatures {
   std::vector<PartFeature> features;
   std::vector<std::string> why_not;  // one a part: why it has no feature; else empty
+  // One a part: why nothing is known of its holes, and empty too where it has none.
+  std::vector<std::string> why_no_holes;
   // m: what patches of a surface err by together, over all features (see measure_features()).
   double patch_error_m = 0;
 
-  // Into features; -1: none.
+  // Into features, of a part's axis or face, and of its holes; -1: none.
   [[nodiscard]] int of(int part) const;
+  [[nodiscard]] int holes_of(int part) const;
 };
 
-// Pipes and flanges that enough readings lie on. A pipe's radius is the design's with the mill's
+// The axes of pipes and the faces of flanges that enough readings lie on (their holes:
+// add_bolt_holes()). A pipe's radius is the design's with the mill's
 // tolerance (ASTM A999) as prior, unless it is proved to be of another size. Readings err together
 // (a sensor's correlation windows, stations that were merged): each surface is cut into patches,
 // and where the patches' means scatter by more than independent readings would let them, the

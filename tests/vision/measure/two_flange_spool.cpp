@@ -73,15 +73,15 @@ PointCloud scan_of_spool(const SpoolScan& built, std::uint32_t seed) {
   std::vector<Rod> all = rods();
   all[2].radius = built.pipe_2_radius_m;
   PointCloud scan;
-  constexpr double kPerSquareMetre = 40000;  // 5 mm apart
   for (std::size_t r = 0; r < all.size(); ++r) {
     const std::size_t p = r < kElbow ? r : r + 1;
     if (!built.is_there[p]) continue;
     const double area = 2 * std::numbers::pi * all[r].radius * (all[r].length + all[r].radius);
-    const PointCloud part = scan_of(
-        {all[r]}, built.T_design_built[p],
-        {.points = static_cast<std::size_t>(area * kPerSquareMetre), .noise_m = built.noise_m},
-        random);
+    const PointCloud part =
+        scan_of({all[r]}, built.T_design_built[p],
+                {.points = static_cast<std::size_t>(area * built.per_square_metre),
+                 .noise_m = built.noise_m},
+                random);
     scan.points.insert(scan.points.end(), part.points.begin(), part.points.end());
   }
   for (Eigen::Vector3f& point : scan.points) point *= static_cast<float>(built.scale);

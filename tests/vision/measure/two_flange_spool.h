@@ -24,6 +24,7 @@ struct SpoolScan {
   std::vector<bool> is_there = std::vector<bool>(kSpoolParts, true);
   double pipe_2_radius_m = 0.05715;
   double scale = 1;
+  double per_square_metre = 40000;  // points: 5 mm apart
 };
 
 // The spool from all sides.
