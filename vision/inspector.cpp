@@ -15,7 +15,10 @@
 #include "vision/inspect/scan_alignment.h"
 #include "vision/inspect/spool_findings.h"
 #include "vision/measure/bolt_holes.h"
+#include "vision/measure/bumps.h"
 #include "vision/measure/dimensions.h"
+#include "vision/measure/fit_up.h"
+#include "vision/measure/joint_errors.h"
 #include "vision/measure/judge_dimensions.h"
 
 namespace spool {
@@ -95,12 +98,17 @@ PartFeatures fit_features(const DesignModel& design, const InspectorOptions& opt
 void measure_drawing(const DesignModel& design, const InspectorOptions& options,
                      const PartFeatures& features, Inspection& inspection) {
   const std::string nothing_ok = why_nothing_ok(inspection.alignment, options);
+  const Drawing drawing = drawing_of(design);
   MeasuredDrawing measured =
-      measure_dimensions(design, drawing_of(design), features, options.rules,
+      measure_dimensions(design, drawing, features, options.rules,
                          {.scale_u = options.scale_u, .nothing_ok = nothing_ok});
   check_sizes(design, features, nothing_ok, inspection.parts);
   inspection.dimensions = std::move(measured.dimensions);
   inspection.datum = std::move(measured.datum);
+  inspection.chain = measure_joints(design, drawing, features, options.rules, options.scale_u);
+  // Where a unit was guessed or another pose fits as well, nothing is proposed.
+  if (nothing_ok.empty()) inspection.chain.bumps = bumps_for(design, inspection.chain);
+  inspection.chain.fit_ups = fit_ups(design, features);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "app/common/length_text.h"
 #include "app/evidence/html_parts.h"
+#include "app/evidence/joints_report.h"
 #include "app/evidence/writer.h"
 #include "vision/core/version.h"
 
@@ -276,7 +277,9 @@ std::string report_html(const InspectionRecord& record,
           escaped(file_name(record.scan.file));
   if (!record.created.empty()) html += " &middot; " + escaped(record.created);
   html += "</p>\n" + verdict_box(record.inspection) + warnings(record);
-  html += dimensions_section(record) + parts_section(record) + findings_section(record.inspection) +
+  html += dimensions_section(record) +
+          joints_section(model, record.inspection.chain, style_of(record)) + parts_section(record) +
+          findings_section(record.inspection) +
           pictures_section(pictures, record.inspection.alignment.found);
   html += alignment_section(record) + meaning_section() + sources_section(record);
   return html + "</body></html>\n";

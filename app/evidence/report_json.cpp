@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/common/json_file.h"
+#include "app/evidence/joints_report.h"
 #include "app/evidence/writer.h"
 #include "vision/core/version.h"
 
@@ -206,7 +207,11 @@ std::string report_json(const InspectionRecord& record) {
       {"declutter", declutter_json(inspection.declutter)},
       {"parts", parts},
       {"dimensions", dimensions_json(inspection.dimensions)},
-      {"joints", json::array()},
+      {"joints", joints_json(model, inspection.chain)},
+      {"joints_not_measured", joints_not_measured_json(model, inspection.chain)},
+      {"chain", chain_json(inspection.chain)},
+      {"bumps", bumps_json(model, inspection.chain)},
+      {"fit_up", fit_up_json(inspection.chain)},
       {"findings", findings},
       {"status", name(inspection.status)},
       {"status_reason", inspection.status_reason},

@@ -17,6 +17,7 @@
 #include "vision/inspect/declutter.h"
 #include "vision/inspect/deviation.h"
 #include "vision/inspect/dimension.h"
+#include "vision/inspect/joint_error.h"
 #include "vision/inspect/unexpected.h"
 #include "vision/inspect/verdict.h"
 
@@ -70,6 +71,7 @@ struct Inspection {
   std::vector<Unexpected> unexpected;  // steel on it that the design does not have
   std::vector<PartFinding> parts;      // in the design's order
   std::vector<Dimension> dimensions;   // of the drawing
+  ChainResult chain;                   // joint by joint from the datum, and what to do
   std::string datum;  // what positions are relative to, or why there is nothing; empty: not asked
   std::vector<Finding> findings;
   Verdict status = Verdict::kNotMeasured;
