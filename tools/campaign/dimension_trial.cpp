@@ -65,7 +65,7 @@ std::optional<double> truth_of(const Dimension& stated, const BuiltTruth& built)
     value = built.angle(stated.from, stated.to);
   else if (stated.kind == "face_alignment")
     value = built.lean(stated.from, stated.to);
-  else if (stated.kind != "offset")
+  else if (stated.kind != "offset" && stated.kind != "rotation")  // no truth of these here
     value = built.length(stated.from, stated.to);
   if (value) *value -= stated.nominal;
   return value;
