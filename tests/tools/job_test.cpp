@@ -78,7 +78,8 @@ TEST_F(JobTool, KeepsChecksAndExportsThem) {
   ASSERT_EQ(check(2, report("pipe-1", "not_ok", 0.31), "redo").code, 0);
   const std::string wrong = report("pipe-1", "not_ok", 0.305);
   expect_refused(check(2, wrong, "accept"), "spoolsight-job", 64, "cannot be accepted");
-  ASSERT_EQ(check(2, wrong, "accept", {"--override", "QC agreed", "--operator", "operator 1"}).code, 0);
+  ASSERT_EQ(check(2, wrong, "accept", {"--override", "QC agreed", "--operator", "operator 1"}).code,
+            0);
   const std::string welded = report("pipe-1", "ok", 0.3035);
   ASSERT_EQ(check(2, welded, "accept", {"--phase", "after-weld"}).code, 0);
   const ProcessResult shown = tool({"show", job_});
