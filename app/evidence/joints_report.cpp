@@ -43,7 +43,7 @@ std::string_view kind_name(BumpKind kind) {
 
 }  // namespace
 
-json joints_json(const DesignModel&, const ChainResult& chain) {
+json joints_json(const ChainResult& chain) {
   json list = json::array();
   for (const JointError& joint : chain.joints) {
     if (!joint.is_measured) continue;
@@ -74,7 +74,7 @@ json joints_json(const DesignModel&, const ChainResult& chain) {
   return list;
 }
 
-json joints_not_measured_json(const DesignModel&, const ChainResult& chain) {
+json joints_not_measured_json(const ChainResult& chain) {
   json list = json::array();
   for (const JointError& joint : chain.joints)
     if (!joint.is_measured)
@@ -180,7 +180,7 @@ std::string joints_section(const DesignModel& design, const ChainResult& chain, 
                 escaped(fit_up.is_measured ? length_text(fit_up.hi_lo_m, style) + ", U (k = 2) " +
                                                  length_text(2 * fit_up.u_m, style)
                                            : fit_up.reason));
-  html += "</table>\n<p>Joints are counted outward from " + escaped(chain.datum) + ".";
+  html += "</table>\n<p>What joints are counted outward from: " + escaped(chain.datum) + ".";
   if (!chain.fit_ups.empty()) html += " " + escaped(chain.fit_ups.front().root_gap);
   return html + "</p>\n";
 }

@@ -14,9 +14,8 @@
 namespace spool::evidence {
 
 // As assets/report.schema.json has them.
-[[nodiscard]] nlohmann::json joints_json(const DesignModel& design, const ChainResult& chain);
-[[nodiscard]] nlohmann::json joints_not_measured_json(const DesignModel& design,
-                                                      const ChainResult& chain);
+[[nodiscard]] nlohmann::json joints_json(const ChainResult& chain);
+[[nodiscard]] nlohmann::json joints_not_measured_json(const ChainResult& chain);
 [[nodiscard]] nlohmann::json chain_json(const ChainResult& chain);
 [[nodiscard]] nlohmann::json bumps_json(const DesignModel& design, const ChainResult& chain);
 [[nodiscard]] nlohmann::json fit_up_json(const ChainResult& chain);

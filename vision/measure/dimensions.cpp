@@ -220,7 +220,7 @@ class Measuring {
   void holes_turn(int index) {
     const BoltHoles& holes = *design_.parts[at(index)].holes;
     HolesRotation turned =
-        rotation_of_holes(design_, drawing_, features_, datum_, measured_, index);
+        rotation_of_holes(design_, drawing_, features_, datum_, measured_, tree_, index);
     if (turned.is_datum) return;
     Dimension dimension = between("rotation", turned.from, design_.parts[at(index)].name + "/holes",
                                   std::move(turned.parts));

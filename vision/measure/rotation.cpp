@@ -8,8 +8,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "vision/inspect/joint_tree.h"
-
 namespace spool {
 namespace {
 
@@ -37,7 +35,8 @@ bool may_be_rolled(const Drawing& drawing, const std::vector<int>& between, int 
 
 HolesRotation rotation_of_holes(const DesignModel& design, const Drawing& drawing,
                                 const PartFeatures& features, const DatumFrame& datum,
-                                const FeatureState& measured, int index) {
+                                const FeatureState& measured, std::span<const JointBranch> tree,
+                                int index) {
   const Part& part = design.parts[at(index)];
   const int datum_part = datum.node >= 0 ? drawing.nodes[at(datum.node)].part : -1;
   const int feature = features.holes_of(index);
@@ -85,7 +84,7 @@ HolesRotation rotation_of_holes(const DesignModel& design, const Drawing& drawin
   };
   result.answers = index;
   if (is_its_own || result.is_one_holed) return result;
-  const auto between = parts_between(joint_tree(design), datum_part, index);
+  const auto between = parts_between(tree, datum_part, index);
   if (may_be_rolled(drawing, between, index, part.T_design_part.linear().col(2))) {
     result.answers = -1;
     result.parts = between;

@@ -4,10 +4,12 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "vision/design/design_model.h"
+#include "vision/inspect/joint_tree.h"
 #include "vision/measure/datum_frame.h"
 #include "vision/measure/part_feature.h"
 
@@ -24,15 +26,16 @@ struct HolesRotation {
   std::string why_not;
 };
 
-// The turn of the flange `part` (with holes) about its own axis from where the drawing has it in
-// the datum frame: known modulo the pitch of its holes only, and stated as the least. Seen from a
-// datum that is turned by holes alone, modulo what both pitches have in common. The datum's own
-// holes are compared with the node furthest off its axis.
+// `tree`: the joint_tree() of the design. The turn of the flange `part` (with holes) about its own
+// axis from where the drawing has it in the datum frame: known modulo the pitch of its holes only,
+// and stated as the least. Seen from a datum that is turned by holes alone, modulo what both
+// pitches have in common. The datum's own holes are compared with the node furthest off its axis.
 //
 // It is the flange's own unless a leg on the way from the datum runs as the flange's axis does:
 // what was rolled about that leg turned the flange too. One-holed is always the flange's own.
 [[nodiscard]] HolesRotation rotation_of_holes(const DesignModel& design, const Drawing& drawing,
                                               const PartFeatures& features, const DatumFrame& datum,
-                                              const FeatureState& measured, int part);
+                                              const FeatureState& measured,
+                                              std::span<const JointBranch> tree, int part);
 
 }  // namespace spool
