@@ -53,19 +53,22 @@ Sighted sighted(const FinderModel& model, const Sight& sight,
   return sighted;
 }
 
-// Of which parts more of what stops a run shows than clutter would put there by chance.
+// Of which parts what stops a run shows: more than clutter would put there by chance, and as much
+// as shows of the rest. `dense`: explained points to a sample of what they vouch for. Half of a
+// stop is turned away from a single view, and the open end of a pipe that is cut where a branch
+// would be lies on some of the branch.
 std::vector<std::uint8_t> stops_in_sight(const FinderModel& model, const std::vector<double>& on,
-                                         double chance) {
-  constexpr double kLeast = 10;  // points
-  std::vector<double> share(model.parts, 0);
+                                         double chance, double dense) {
+  constexpr double kLeast = 10;     // points
+  constexpr double kOfStop = 0.25;  // of it
+  std::vector<double> samples(model.parts, 0);
   for (std::size_t s = 0; s < model.is_stop.size(); ++s)
-    if (model.is_stop[s] != 0)
-      share[static_cast<std::size_t>(model.part[s])] +=
-          1 / static_cast<double>(model.is_stop.size());
+    if (model.is_stop[s] != 0) samples[static_cast<std::size_t>(model.part[s])] += 1;
   std::vector<std::uint8_t> shows(model.parts, 0);
   for (std::size_t p = 0; p < model.parts; ++p) {
-    const double by_chance = chance * share[p];
-    shows[p] = on[p] >= kLeast + 2 * by_chance + 3 * std::sqrt(by_chance) ? 1 : 0;
+    const double by_chance = chance * samples[p] / static_cast<double>(model.is_stop.size());
+    const double least = kLeast + 2 * by_chance + 3 * std::sqrt(by_chance);
+    shows[p] = on[p] >= std::max(least, kOfStop * dense * samples[p]) ? 1 : 0;
   }
   return shows;
 }
@@ -110,7 +113,7 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
   evidence.explained = on.size();
   // What lies round the surface but not on it is clutter: as thick a layer of it lies on it too.
   evidence.chance = static_cast<double>(round_it) * gate_m / std::max(gate_m, reach - gate_m);
-  evidence.shows_stop = stops_in_sight(model, on_stops, evidence.chance);
+  evidence.shows_stop.assign(model.parts, 0);
   evidence.free_motions = 6;
   if (on.size() < 8) return evidence;
   evidence.scale_m = 1.4826 * double{median(distances)};
@@ -127,6 +130,9 @@ PoseEvidence weigh_pose(const FinderModel& model, const FindScene& scene,
   std::size_t covered = 0;
   for (const Eigen::Vector3f& p : model.probes) covered += vouched.is_near(p) ? 1U : 0U;
   evidence.coverage = static_cast<double>(covered) / static_cast<double>(model.probes.size());
+  const double vouched_for = evidence.coverage * static_cast<double>(model.samples.size());
+  evidence.shows_stop = stops_in_sight(model, on_stops, evidence.chance,
+                                       static_cast<double>(on.size()) / std::max(1.0, vouched_for));
   evidence.points = std::move(on);
   const Eigen::Isometry3f T_scan_design = T_design_scan.inverse();
   const double off = std::max(2 * gate_m, kSightGate * model.size_m);

@@ -121,6 +121,23 @@ TEST(PoseEvidence, SaysOfWhichPartsAStopShows) {
   EXPECT_EQ(held({x, y}), (Held{0, 0}));
 }
 
+TEST(PoseEvidence, TakesFewPointsOnAStopForTheEndOfSomethingElse) {
+  // Of what looks along y, the end of the second pipe, one point in so many; of all else
+  // everything.
+  const FinderModel model = corner();
+  const auto shows = [&](std::size_t one_in) {
+    std::vector<Vector3f> scan;
+    std::size_t on = 0;
+    for (std::size_t i = 0; i < model.samples.size(); ++i)
+      if (std::abs(model.samples.normals[i].y()) < 0.9F || ++on % one_in == 0)
+        scan.push_back(model.samples.points[i]);
+    const FindScene scene(model, scan, 0.002, {});
+    return weigh_pose(model, scene, Eigen::Isometry3f::Identity(), kGate).shows_stop;
+  };
+  EXPECT_EQ(shows(2), (std::vector<std::uint8_t>{1, 1}));
+  EXPECT_EQ(shows(6), (std::vector<std::uint8_t>{1, 0}));
+}
+
 TEST(PoseEvidence, OfNothingIsNothing) {
   for (const auto& scan :
        {std::vector<Vector3f>{}, std::vector<Vector3f>(5, Vector3f(0.05F, 0, 0.2F)),
