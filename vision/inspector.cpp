@@ -96,7 +96,7 @@ PartFeatures fit_features(const DesignModel& design, const InspectorOptions& opt
 
 // The drawing's dimensions between them, and what they say of the parts.
 void measure_drawing(const DesignModel& design, const InspectorOptions& options,
-                     const PartFeatures& features, Inspection& inspection) {
+                     const PartFeatures& features, const Watch& watch, Inspection& inspection) {
   const std::string nothing_ok = why_nothing_ok(inspection.alignment, options);
   const Drawing drawing = drawing_of(design);
   MeasuredDrawing measured =
@@ -105,7 +105,8 @@ void measure_drawing(const DesignModel& design, const InspectorOptions& options,
   check_sizes(design, features, nothing_ok, inspection.parts);
   inspection.dimensions = std::move(measured.dimensions);
   inspection.datum = std::move(measured.datum);
-  inspection.chain = measure_joints(design, drawing, features, options.rules, options.scale_u);
+  inspection.chain =
+      measure_joints(design, drawing, features, options.rules, options.scale_u, watch);
   // Where a unit was guessed or another pose fits as well, nothing is proposed.
   if (nothing_ok.empty()) inspection.chain.bumps = bumps_for(design, inspection.chain);
   inspection.chain.fit_ups = fit_ups(design, features);
@@ -225,7 +226,7 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     for (Finding& finding : spool_findings(design, inspection.pieces, inspection.unexpected,
                                            missing, inspection.parts))
       inspection.findings.push_back(std::move(finding));
-    measure_drawing(design, options, features, inspection);
+    measure_drawing(design, options, features, watch, inspection);
     clock.mark("measure");
     judge_dimensions(design, inspection.dimensions, inspection.parts, inspection.findings);
   }

@@ -36,6 +36,17 @@ double twist(const Matrix3d& rotation) {
 
 double wrapped(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
+// How a feature's part is turned about the feature's own z by its holes, beyond what the measured
+// feature says: of the turns a pitch apart the one nearest to `guess`.
+double turn_by(const TurnHold& hold, const PartFeatures& features, const FeatureState& state,
+               int feature, double guess) {
+  const Matrix3d moved = state[at(hold.holes)].linear() *
+                         features.features[at(hold.holes)].T_design_nominal.linear().transpose();
+  const double turn = twist(state[at(feature)].linear().transpose() * moved *
+                            features.features[at(feature)].T_design_nominal.linear());
+  return guess + std::remainder(turn - guess, hold.pitch_rad);
+}
+
 struct Reach {
   int part = -1, joint = -1, from = -1;
 };
@@ -58,6 +69,21 @@ std::vector<Reach> reach(const DesignModel& design, const std::vector<std::vecto
     }
   }
   return order;
+}
+
+// How the root is turned about itself, beyond what its feature says of it (rad).
+double root_turn(const JointChain& chain, const PartFeatures& features, const FeatureState& state) {
+  const Pose& nominal = features.features[at(chain.root)].T_design_nominal;
+  const Pose& measured = state[at(chain.root)];
+  double turn = twist(measured.linear().transpose() * nominal.linear());
+  if (chain.clock >= 0) {
+    const int to = chain.links[at(chain.clock)].to;
+    const Vector3d is = measured.linear().transpose() * axis_of(state[at(to)]);
+    const Vector3d was =
+        nominal.linear().transpose() * axis_of(features.features[at(to)].T_design_nominal);
+    turn = wrapped(std::atan2(is.y(), is.x()) - std::atan2(was.y(), was.x()));
+  }
+  return chain.turn.holes < 0 ? turn : turn_by(chain.turn, features, state, chain.root, turn);
 }
 
 const Port& port_at(const DesignModel& design, const Joint& joint, int part) {
@@ -90,6 +116,7 @@ class Builder {
     const auto tree = reach(design_, joints_of, start, [&](int j) { return is_bridge[at(j)]; });
     add_links(tree);
     choose_clock();
+    hold_turns();
     return std::move(chain_);
   }
 
@@ -192,15 +219,50 @@ class Builder {
   }
 
   void choose_clock() {
-    chain_.is_turn_held = chain_.face >= 0 && features_.features[at(chain_.face)].is_observed[5];
-    if (chain_.is_turn_held) return;
     const Vector3d axis = axis_of(features_.features[at(chain_.root)].T_design_nominal);
     for (std::size_t l = 0; l < chain_.links.size() && chain_.clock < 0; ++l) {
       const PartFeature& to = features_.features[at(chain_.links[l].to)];
       if (std::abs(axis_of(to.T_design_nominal).dot(axis)) < kParallel)
         chain_.clock = static_cast<int>(l);
     }
-    if (chain_.clock >= 0) chain_.links[at(chain_.clock)].is_clock = true;
+  }
+
+  [[nodiscard]] TurnHold holes_of(int part) const {
+    const int holes = features_.holes_of(part);
+    if (holes < 0) return {};
+    return {holes, 2 * std::numbers::pi / design_.parts[at(part)].holes->count};
+  }
+
+  // Where holes are known they hold what they are drilled in, unless it was one-holed.
+  void hold_turns() {
+    FeatureState measured;
+    for (const PartFeature& each : features_.features) measured.push_back(each.T_design_measured);
+    if (chain_.face >= 0) {
+      const double by_bend = root_turn(chain_, features_, measured);
+      chain_.turn = holes_of(features_.features[at(chain_.face)].part);
+      if (chain_.turn.holes >= 0 && chain_.clock >= 0 &&
+          is_half_off(chain_.turn, root_turn(chain_, features_, measured) - by_bend))
+        chain_.turn = {};
+    }
+    if (chain_.turn.holes < 0 && chain_.clock >= 0) chain_.links[at(chain_.clock)].is_clock = true;
+    // Each is seen from what lies before it, which the turns before it have settled.
+    for (ChainLink& link : chain_.links) {
+      const PartFeature& to = features_.features[at(link.to)];
+      const bool is_datum = chain_.turn.holes >= 0 && link.to == chain_.face;
+      if (to.kind != FeatureKind::kFace || is_datum) continue;
+      const TurnHold hold = holes_of(to.part);
+      if (hold.holes < 0) continue;
+      const ChainState without = chain_state(chain_, features_, measured);
+      const auto l = static_cast<std::size_t>(&link - chain_.links.data());
+      const Matrix3d was = without.links[l].linear();
+      link.turn = hold;
+      const Matrix3d is = chain_state(chain_, features_, measured).links[l].linear();
+      if (is_half_off(hold, Eigen::AngleAxisd(was.transpose() * is).angle())) link.turn = {};
+    }
+  }
+
+  [[nodiscard]] static bool is_half_off(const TurnHold& hold, double turn) {
+    return is_one_holed(turn, static_cast<int>(std::lround(2 * std::numbers::pi / hold.pitch_rad)));
   }
 
   const DesignModel& design_;
@@ -221,20 +283,7 @@ double along(const Pose& line, const Pose& other, FeatureKind kind) {
 Pose root_motion(const JointChain& chain, const PartFeatures& features, const FeatureState& state) {
   const Pose& nominal = features.features[at(chain.root)].T_design_nominal;
   const Pose& measured = state[at(chain.root)];
-  double turn = 0;
-  if (chain.is_turn_held) {
-    const Matrix3d face = state[at(chain.face)].linear() *
-                          features.features[at(chain.face)].T_design_nominal.linear().transpose();
-    turn = twist(measured.linear().transpose() * face * nominal.linear());
-  } else if (chain.clock >= 0) {
-    const int to = chain.links[at(chain.clock)].to;
-    const Vector3d is = measured.linear().transpose() * axis_of(state[at(to)]);
-    const Vector3d was =
-        nominal.linear().transpose() * axis_of(features.features[at(to)].T_design_nominal);
-    turn = wrapped(std::atan2(is.y(), is.x()) - std::atan2(was.y(), was.x()));
-  } else {
-    turn = twist(measured.linear().transpose() * nominal.linear());
-  }
+  const double turn = root_turn(chain, features, state);
   // Along itself by the datum's face, else by where the first bend leaves it.
   const int by = chain.face >= 0    ? chain.face
                  : chain.clock >= 0 ? chain.links[at(chain.clock)].to
@@ -251,8 +300,10 @@ Pose root_motion(const JointChain& chain, const PartFeatures& features, const Fe
 }
 
 // The motion of the link's part, `before` being that of what it hangs on.
-Pose link_motion(const ChainLink& link, const PartFeature& to, const Pose& measured,
+Pose link_motion(const ChainLink& link, const PartFeatures& features, const FeatureState& state,
                  const Pose& before) {
+  const PartFeature& to = features.features[at(link.to)];
+  const Pose& measured = state[at(link.to)];
   const Pose T_feature_joint = to.T_design_nominal.inverse() * link.T_design_joint;
   const Pose T_near = before * link.T_design_joint;
   const Vector3d p_nominal =
@@ -260,16 +311,17 @@ Pose link_motion(const ChainLink& link, const PartFeature& to, const Pose& measu
   // What is not observed is chosen so that the error has no part along this axis of the joint.
   const int axis = to.kind == FeatureKind::kAxis && is_bend(p_nominal) ? 0 : 2;
   Pose full = measured;
-  if (!to.is_observed[5]) {
-    const Matrix3d predicted = T_near.linear() * T_feature_joint.linear().transpose();
-    full = full * turn_about_z(-twist(predicted.transpose() * full.linear()));
-    if (to.kind == FeatureKind::kAxis)
-      for (int round = 0; round < 4; ++round) {  // the rotation vector is all but straight in it
-        const Matrix3d off = T_near.linear().transpose() * full.linear() * T_feature_joint.linear();
-        const Vector3d p = T_near.linear().transpose() * axis_of(full);
-        full = full * turn_about_z(-rotation_vector(off)[axis] / p[axis]);
-      }
-  }
+  const Matrix3d predicted = T_near.linear() * T_feature_joint.linear().transpose();
+  double turn = -twist(predicted.transpose() * full.linear());
+  if (link.turn.holes >= 0) turn = turn_by(link.turn, features, state, link.to, turn);
+  full = full * turn_about_z(turn);
+  if (to.kind == FeatureKind::kAxis)
+    for (int round = 0; round < 4; ++round) {  // the rotation vector is all but straight in it
+      const Matrix3d off_by =
+          T_near.linear().transpose() * full.linear() * T_feature_joint.linear();
+      const Vector3d p = T_near.linear().transpose() * axis_of(full);
+      full = full * turn_about_z(-rotation_vector(off_by)[axis] / p[axis]);
+    }
   const Vector3d off = (full * T_feature_joint).translation() - T_near.translation();
   const Vector3d z = axis_of(full);
   if (to.kind == FeatureKind::kFace) {
@@ -294,8 +346,7 @@ ChainState chain_state(const JointChain& chain, const PartFeatures& features,
   motions.root = root_motion(chain, features, state);
   for (const ChainLink& link : chain.links) {
     const Pose& before = link.before < 0 ? motions.root : motions.links[at(link.before)];
-    motions.links.push_back(
-        link_motion(link, features.features[at(link.to)], state[at(link.to)], before));
+    motions.links.push_back(link_motion(link, features, state, before));
   }
   return motions;
 }

@@ -14,6 +14,12 @@
 
 namespace spool {
 
+// What holds a flange's turn about its axis: its bolt holes, modulo their pitch.
+struct TurnHold {
+  int holes = -1;  // feature; -1: nothing holds it
+  double pitch_rad = 0;
+};
+
 // From one part with a feature to the next one outward, over joints and parts without features.
 struct ChainLink {
   int from = -1, to = -1;                  // features
@@ -22,6 +28,7 @@ struct ChainLink {
   Pose T_design_joint = Pose::Identity();  // nominal, see JointError
   std::vector<int> parts;                  // of the design that hang on it
   bool is_clock = false;                   // its bend holds the turn about the root
+  TurnHold turn;                           // of `to`, a face
 };
 
 // A joint that has no link: what hangs on it has no feature.
@@ -34,14 +41,15 @@ struct LooseJoint {
 struct JointChain {
   int root = -1;                 // feature, an axis; -1: there is no chain
   int face = -1;                 // feature that holds the root's place along itself; -1: none
-  int clock = -1;                // the link that holds its turn; -1: the face's holes, or nothing
-  bool is_turn_held = false;     // by the face's bolt holes
+  int clock = -1;                // the first link with a bend; -1: there is none
+  TurnHold turn;                 // of the root about itself, by the face; nothing: by `clock`
   std::vector<ChainLink> links;  // outward: of each the one before stands before it
   std::vector<LooseJoint> loose;
   std::string text;  // what it starts from, or why there is none
 };
 
-// A joint in a loop holds nothing alone and ends the chain.
+// A joint in a loop holds nothing alone and ends the chain. Holes that stand near half a pitch off
+// (is_one_holed()) hold no turn: whether by half a pitch forth or back nobody knows.
 [[nodiscard]] JointChain joint_chain(const DesignModel& design, const Drawing& drawing,
                                      const PartFeatures& features);
 

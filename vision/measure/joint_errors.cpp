@@ -35,16 +35,17 @@ Pose motion_of(const Pose& T_design_joint, const Vector6d& error) {
 class Measuring {
  public:
   Measuring(const DesignModel& design, const Drawing& drawing, const PartFeatures& features,
-            const RuleSet& rules, double scale_u)
+            const RuleSet& rules, double scale_u, const Watch& watch)
       : design_(design),
         features_(features),
         rules_(rules),
         scale_u_(scale_u),
+        watch_(watch),
         chain_(joint_chain(design, drawing, features)) {}
 
   ChainResult all() {
     result_.datum = chain_.text;
-    result_.is_turn_held = chain_.is_turn_held;
+    result_.is_turn_held = chain_.turn.holes >= 0;
     if (chain_.root < 0) {
       for (std::size_t j = 0; j < design_.joints.size(); ++j)
         refuse(static_cast<int>(j), design_.joints[j].part_a, design_.joints[j].part_b,
@@ -53,6 +54,7 @@ class Measuring {
     }
     find_ends();
     propagate_all();
+    if (watch_.cancelled()) return {};
     for (std::size_t l = 0; l < chain_.links.size(); ++l) add_joint(static_cast<int>(l));
     for (std::size_t e = 0; e < result_.ends.size(); ++e) add_end(e);
     weigh();
@@ -136,7 +138,7 @@ class Measuring {
     slope_ = MatrixXd::Zero(values_.size(), 6 * count + 1);
     constexpr double kStep = 1e-5;  // m, rad, 1: all is straight over it
     FeatureState moved = measured;
-    for (std::size_t f = 0; f < measured.size(); ++f) {
+    for (std::size_t f = 0; f < measured.size() && !watch_.cancelled(); ++f) {
       for (int k = 0; k < 6; ++k) {
         if (!feature(static_cast<int>(f)).is_observed[at(k)]) continue;
         moved[f] = measured[f] * pose_from_small(kStep * Vector6d::Unit(k));
@@ -198,9 +200,9 @@ class Measuring {
       return true;
     if (to.kind == FeatureKind::kAxis) {
       const Vector3d p = R_joint_design * to.T_design_nominal.linear().col(2);
-      return k % 3 == (is_bend(p) ? 0 : 2) && (!is_turn || !to.is_observed[5]);
+      return k % 3 == (is_bend(p) ? 0 : 2);
     }
-    return is_turn ? is_along(to) && !to.is_observed[5] : !is_along(to);
+    return is_turn ? is_along(to) && link.turn.holes < 0 : !is_along(to);
   }
 
   void find_unobserved(const ChainLink& link, JointError& joint) const {
@@ -219,7 +221,7 @@ class Measuring {
         add(R.col(k), false,
             is_axis ? "a shift along " + name + " (it counts as cut length, where the pipe ends)"
                     : "a shift of " + name + " in the plane of its face");
-    if (!to.is_observed[5])
+    if (link.turn.holes < 0)
       add(R.col(2), true, "a turn of " + name + (is_axis ? " about itself" : " in its face"));
     const std::string& root = design_.parts[at(feature(chain_.root).part)].name;
     const Vector3d root_axis =
@@ -337,6 +339,7 @@ class Measuring {
   const PartFeatures& features_;
   const RuleSet& rules_;
   double scale_u_ = 0;
+  const Watch& watch_;
   JointChain chain_;
   ChainResult result_;
   std::vector<int> end_links_;  // one an end
@@ -348,8 +351,9 @@ class Measuring {
 }  // namespace
 
 ChainResult measure_joints(const DesignModel& design, const Drawing& drawing,
-                           const PartFeatures& features, const RuleSet& rules, double scale_u) {
-  return Measuring(design, drawing, features, rules, scale_u).all();
+                           const PartFeatures& features, const RuleSet& rules, double scale_u,
+                           const Watch& watch) {
+  return Measuring(design, drawing, features, rules, scale_u, watch).all();
 }
 
 const std::vector<ErrorGroup>& error_groups() {

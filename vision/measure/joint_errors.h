@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "vision/core/cancel.h"
 #include "vision/design/design_model.h"
 #include "vision/inspect/joint_error.h"
 #include "vision/measure/drawing.h"
@@ -22,10 +23,10 @@ namespace spool {
 // of its one or two components) is less probable, were there none, than kJointLevel over the number
 // of such errors of the whole spool (Bonferroni). To blame is the significant one that is largest
 // against its tolerance: of a length along and across, of an angle (a face: of alignment) where it
-// tilts, of a length for what it does at each end beyond.
+// tilts, of a length for what it does at each end beyond. Of a cancelled run nothing is known.
 [[nodiscard]] ChainResult measure_joints(const DesignModel& design, const Drawing& drawing,
                                          const PartFeatures& features, const RuleSet& rules,
-                                         double scale_u);
+                                         double scale_u, const Watch& watch = {});
 
 // The kinds of error of a joint: components of JointError::error.
 struct ErrorGroup {

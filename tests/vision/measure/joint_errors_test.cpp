@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stop_token>
 
 #include <gtest/gtest.h>
 
@@ -154,24 +155,74 @@ INSTANTIATE_TEST_SUITE_P(
         OneWrong{
             "W6", test::kLegFlangeB, turned({0.8, 0.65, 0.65}, Vector3d::UnitX(), 1), {2, 3, 4}}));
 
+// Eight holes read on a flange that was moved from its nominal place, then turned in its face.
+PartFeature holes_on(const DesignModel& design, int part, const Pose& built, double turn_rad) {
+  const Part& flange = design.parts[static_cast<std::size_t>(part)];
+  PartFeature holes{.part = part, .kind = FeatureKind::kHoles};
+  holes.T_design_nominal =
+      Eigen::Translation3d(flange.T_design_part * flange.ports[0].position) *
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(),
+                                         flange.T_design_part.linear() * flange.ports[0].direction);
+  holes.T_design_measured =
+      built * holes.T_design_nominal * Eigen::AngleAxisd(turn_rad, Vector3d::UnitZ());
+  holes.is_observed = {false, false, false, false, false, true};
+  holes.fit_covariance(5, 5) = std::pow(0.05 * kDegree, 2);
+  return holes;
+}
+
+struct Holes {
+  int part;
+  double turn_rad;
+};
+
+ChainResult of_holed_legs(const std::vector<Pose>& built, const std::vector<Holes>& holes) {
+  DesignModel design = test::three_leg_spool();
+  for (const int p : {test::kLegFlangeA, test::kLegFlangeB})
+    design.parts[static_cast<std::size_t>(p)].holes = BoltHoles{.count = 8, .bolt_circle_m = 0.19};
+  PartFeatures features = test::features_of_legs(design, built, 1);
+  for (const Holes& each : holes)
+    features.features.push_back(
+        holes_on(design, each.part, built[static_cast<std::size_t>(each.part)], each.turn_rad));
+  return measured(design, features);
+}
+
 TEST(JointErrors, OfARolledFirstElbowAreSeenWhereTheDatumsHolesHoldItsTurn) {
-  const DesignModel design = test::three_leg_spool();
-  const Pose rolled = turned(kCentre1, Vector3d::UnitZ(), 0.7);
-  PartFeatures features =
-      test::features_of_legs(design, test::legs_moved_from(test::kElbow1, rolled), 1);
-  EXPECT_EQ(blamed(measured(design, features)), "") << "the whole spool may be turned";
-  PartFeature& face = features.features[static_cast<std::size_t>(features.of(test::kLegFlangeA))];
-  face.is_observed[5] = true;
-  // What of the fit's own turn is arbitrary is taken off: the holes are where they are drawn.
-  face.T_design_measured.linear() = face.T_design_nominal.linear();
-  face.fit_covariance(5, 5) = std::pow(0.05 * kDegree, 2);
-  const ChainResult chain = measured(design, features);
-  EXPECT_TRUE(chain.is_turn_held);
-  EXPECT_EQ(blamed(chain), "W2+W3");
-  const JointError& elbow = find(chain, "W2+W3");
-  EXPECT_NEAR(elbow.error[5], 0.7 * kDegree, 3 * std::sqrt(elbow.covariance(5, 5)));
-  EXPECT_GE(elbow.covariance(5, 5), face.fit_covariance(5, 5));
-  EXPECT_EQ(elbow.unobserved.size(), 2U);
+  const std::vector<Pose> built =
+      test::legs_moved_from(test::kElbow1, turned(kCentre1, Vector3d::UnitZ(), 0.7));
+  EXPECT_EQ(blamed(of_holed_legs(built, {})), "") << "the whole spool may be turned";
+  // A pitch further is another hole in the same place.
+  for (const double turn : {0.0, 45 * kDegree, -90 * kDegree}) {
+    const ChainResult chain = of_holed_legs(built, {{test::kLegFlangeA, turn}});
+    EXPECT_TRUE(chain.is_turn_held);
+    EXPECT_EQ(blamed(chain), "W2+W3");
+    const JointError& elbow = find(chain, "W2+W3");
+    EXPECT_NEAR(elbow.error[5], 0.7 * kDegree, 3 * std::sqrt(elbow.covariance(5, 5)));
+    EXPECT_GE(elbow.covariance(5, 5), std::pow(0.05 * kDegree, 2));
+    EXPECT_EQ(elbow.unobserved.size(), 2U);
+    EXPECT_EQ(find(chain, "W1").covariance(5, 5), 0) << "it is what the turn is seen from";
+  }
+}
+
+TEST(JointErrors, OfAFlangeTurnedInItsFaceAreSeenByItsHoles) {
+  const std::vector<Pose> built = test::legs_moved_from(test::kLegParts, Pose::Identity());
+  for (const double turn : {2 * kDegree, -2 * kDegree, 47 * kDegree}) {
+    const ChainResult chain = of_holed_legs(built, {{test::kLegFlangeB, turn}});
+    const JointError& face = find(chain, "W6");
+    EXPECT_GE(face.covariance(5, 5), std::pow(0.05 * kDegree, 2));
+    EXPECT_NEAR(std::abs(face.error[5]), 2 * kDegree, 3 * std::sqrt(face.covariance(5, 5)));
+    EXPECT_EQ(face.error[5] > 0, turn > 0) << "about y, as the joint's z is";
+    EXPECT_EQ(face.unobserved.size(), 2U);
+    EXPECT_TRUE(face.is_significant);
+  }
+}
+
+TEST(JointErrors, HoldNothingByHolesThatStandHalfAPitchOff) {
+  const std::vector<Pose> built = test::legs_moved_from(test::kLegParts, Pose::Identity());
+  const ChainResult chain = of_holed_legs(
+      built, {{test::kLegFlangeA, 22.5 * kDegree}, {test::kLegFlangeB, 21 * kDegree}});
+  EXPECT_FALSE(chain.is_turn_held);
+  EXPECT_EQ(find(chain, "W6").covariance(5, 5), 0);
+  EXPECT_EQ(blamed(chain), "");
 }
 
 // Errors against truth, over draws of the noise with random small errors at every joint.
@@ -259,6 +310,19 @@ TEST(JointErrors, WhatWasNotSeenIsNotMeasuredWithTheReason) {
     EXPECT_FALSE(joint.is_measured);
     EXPECT_FALSE(joint.reason.empty());
   }
+}
+
+TEST(JointErrors, OfACancelledRunAreNone) {
+  const DesignModel design = test::three_leg_spool();
+  const PartFeatures features =
+      test::features_of_legs(design, test::legs_moved_from(test::kLegParts, Pose::Identity()), 1);
+  std::stop_source cancel;
+  cancel.request_stop();
+  const ChainResult chain =
+      measure_joints(design, drawing_of(design), features, pfi_es3(), kCalibrated,
+                     {.stop = cancel.get_token(), .progress = {}});
+  EXPECT_TRUE(chain.joints.empty());
+  EXPECT_TRUE(chain.ends.empty());
 }
 
 TEST(JointErrors, OfADesignWithoutJointsOrWithPartsApartAreNone) {
