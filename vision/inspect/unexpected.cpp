@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "vision/inspect/deviation.h"
@@ -27,6 +28,7 @@ constexpr double kCell = 0.25;   // of what joins: closer points say no more of 
 // where it points straight at it (cosine of 15 degrees).
 constexpr double kOfTheWay = 0.5, kStraightWay = 2.0;
 constexpr float kStraight = 0.966F;
+constexpr float kLonger = 1.3F;  // times as wide (standard deviations)
 // Cosines to a plane's normal of a bar that neither stands on it nor runs along it: of 30 and 65
 // degrees. Floor and table may meet it in the last part of its length alone.
 constexpr float kUpright = 0.866F, kLevel = 0.42F;
@@ -143,16 +145,31 @@ bool touches(const DominantPlane& plane, std::span<const Eigen::Vector3f> points
   });
 }
 
+// Which way the points run if they are longer than wide, unit, either sign; else zero.
+Eigen::Vector3f longest_way(std::span<const Eigen::Vector3f> points) {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& p : points) mean += p / static_cast<float>(points.size());
+  Eigen::Matrix3f scatter = Eigen::Matrix3f::Zero();
+  for (const Eigen::Vector3f& p : points) scatter += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver(scatter);  // ascending
+  const bool is_longer = solver.eigenvalues()[2] > kLonger * kLonger * solver.eigenvalues()[1];
+  return is_longer ? Eigen::Vector3f(solver.eigenvectors().col(2)) : Eigen::Vector3f::Zero();
+}
+
 // What reaches most of the way to floor, wall or table, or points straight at it from not far off,
 // is a stand, the rest of which the scanner did not see. A branch there cannot be told from one.
+// Of what is wide, as a post is, the way from its first point to its farthest goes across it.
 bool is_a_stand(const Eigen::Vector3f& first, const Eigen::Vector3f& farthest, double reach_m,
-                std::span<const DominantPlane> planes, const std::optional<SteelBar>& bar) {
-  const Eigen::Vector3f along = (farthest - first).normalized();
+                std::span<const Eigen::Vector3f> points, std::span<const DominantPlane> planes,
+                const std::optional<SteelBar>& bar) {
+  const Eigen::Vector3f along = (farthest - first).normalized(), way = longest_way(points);
   return std::any_of(planes.begin(), planes.end(), [&](const DominantPlane& plane) {
     const float distance = plane.distance(farthest);
     if (bar && is_aslant(*bar, plane)) return false;
     if (!plane.patch.is_near(farthest - distance * plane.normal)) return false;  // past its edge
-    const bool points_at_it = -along.dot(plane.normal) * std::copysign(1.0F, distance) > kStraight;
+    const float nearer = -along.dot(plane.normal) * std::copysign(1.0F, distance);
+    const bool points_at_it =
+        nearer > kStraight || (nearer > 0 && std::abs(way.dot(plane.normal)) > kStraight);
     const double left = double{std::abs(distance)};
     const double comes_nearer = double{std::abs(plane.distance(first))} - left;
     return left < (points_at_it ? kStraightWay * reach_m : kOfTheWay * comes_nearer);
@@ -220,7 +237,7 @@ std::vector<Unexpected> unexpected_steel(const DesignModel& design, const Design
     if (most == touched.end()) continue;  // what joins it was another's
     it.part = bar ? bar->part : most->first;
     if (it.reach_m < kLeastReach || it.reach_m >= (bar ? kFarthest : kOddReach) ||
-        is_a_stand(nearest_joined, farthest, it.reach_m, scan.planes, bar) ||
+        is_a_stand(nearest_joined, farthest, it.reach_m, places, scan.planes, bar) ||
         design.parts[static_cast<std::size_t>(it.part)].kind == PartKind::kSupport)
       continue;
     it.points = growth.all_of(*points);

@@ -105,6 +105,11 @@ TEST(Unexpected, IsNotWhatHoldsTheSpoolUp) {
   }
 }
 
+// Its farthest point lies 20 degrees beside its nearest one.
+TEST(Unexpected, IsNoWidePostOfWhichTheLowerHalfIsHidden) {
+  EXPECT_TRUE(unexpected_with({{{0.3, 0, 0.43}, Vector3d::UnitZ(), 0.06, 0.335}}).empty());
+}
+
 // Both are joined to the riser, and there to each other.
 TEST(Unexpected, IsNotHeldByAStandBesideIt) {
   const Rod stand{{0, -0.055, -0.2}, Vector3d::UnitZ(), 0.025, 0.45};
