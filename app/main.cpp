@@ -31,7 +31,7 @@ std::atomic<bool> asked_to_end{false};  // set by signals
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set it");
 
 struct Flags {
-  std::string design, source, script, track, design_unit, size = "1280x800";
+  std::string design, job, operator_name, source, script, track, design_unit, size = "1280x800";
   std::string out = "out";
   double dots_per_inch = 0;  // 0: the monitor's own, 160 headless
   bool headless = false, print_targets = false;
@@ -59,7 +59,14 @@ Result<ApplicationInputs> prepare(const Flags& flags) {
     if (!unit)
       return Error{ErrorCode::kUsage, "--design-unit " + flags.design_unit + ": give m, mm or in"};
   }
-  Result<DesignModel> model = read_design(flags.design, unit);
+  std::unique_ptr<JobSession> job;
+  if (!flags.job.empty()) {
+    Result<JobSession> opened = JobSession::open(flags.job, flags.operator_name);
+    if (!opened) return opened.error();
+    job = std::make_unique<JobSession>(std::move(*opened));
+  }
+  Result<DesignModel> model =
+      job ? Result<DesignModel>(job->job().design()) : read_design(flags.design, unit);
   if (!model) return model.error();
   for (const std::string& warning : model->warnings) spdlog::warn("{}", warning);
   Result<std::shared_ptr<const PreparedDesign>> design = PreparedDesign::prepare(std::move(*model));
@@ -67,6 +74,7 @@ Result<ApplicationInputs> prepare(const Flags& flags) {
 
   ApplicationInputs in;
   in.design = *design;
+  in.job = std::move(job);
   in.source_text = flags.source;
   in.out = flags.out;
   in.keep_poses = !flags.track.empty();
@@ -211,8 +219,17 @@ int main(int argc, char** argv) {
   CLI::App app(
       "Shows the design of a pipe spool over what a depth camera sees, coloured by deviation.");
   spool::add_common_options(app, "spoolsight");
-  app.add_option("--design", flags.design, "Design: .glb .gltf .pcf .stl .obj .ply .pcd .xyz")
-      ->required();
+  CLI::Option* design =
+      app.add_option("--design", flags.design, "Design: .glb .gltf .pcf .stl .obj .ply .pcd .xyz");
+  CLI::Option* job =
+      app.add_option("--job", flags.job,
+                     "JOB.spooljob: works on its steps, every check into its journal "
+                     "(spoolsight-job makes one)")
+          ->excludes(design);
+  app.add_option("--operator", flags.operator_name, "Who works, for the journal")->needs(job);
+  CLI::Option_group* what = app.add_option_group("what is built");
+  what->add_options(design, job);
+  what->require_option(1);
   app.add_option("--source", flags.source,
                  "openni[:URI] | FILE.oni | DEPTH_FOLDER | simulated[:SCENE.json]")
       ->required();

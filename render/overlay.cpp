@@ -31,6 +31,9 @@ struct OverlayRenderer::Impl {
   MeshPass mesh;
   PatchPass patches;
   EdgePass edges;
+  MeshPass ghost_mesh;
+  EdgePass ghost_edges;
+  bool has_ghost = false;
   CanvasPass canvas;
   std::vector<Marker> markers;
 
@@ -61,6 +64,9 @@ struct OverlayRenderer::Impl {
 
 namespace {
 
+constexpr std::int32_t kGhostPart = 0;  // all of it is one part, and lit
+constexpr float kGhostLinePx = 2.5F;
+
 // Makes a pass into its place; the first failure is kept in `status`.
 template <class Pass>
 void make(Pass& place, Status& status) {
@@ -85,6 +91,8 @@ Result<OverlayRenderer> OverlayRenderer::create() {
   make(impl->mesh, status);
   make(impl->patches, status);
   make(impl->edges, status);
+  make(impl->ghost_mesh, status);
+  make(impl->ghost_edges, status);
   make(impl->canvas, status);
   if (status) status = gl_status("preparing to draw");
   if (!status) return status.error();
@@ -96,6 +104,14 @@ void OverlayRenderer::set_design(const TriangleMesh& mesh,
   MeshGeometry geometry = prepare_mesh(mesh, triangle_part);
   impl_->mesh.set_mesh(geometry);
   impl_->edges.set_edges(std::move(geometry.creases), std::move(geometry.smooth));
+}
+
+void OverlayRenderer::set_ghost(const TriangleMesh& mesh) {
+  const std::vector<std::int32_t> one(mesh.triangles.size(), kGhostPart);
+  MeshGeometry geometry = prepare_mesh(mesh, one);
+  impl_->has_ghost = !mesh.triangles.empty();
+  impl_->ghost_mesh.set_mesh(geometry);
+  impl_->ghost_edges.set_edges(std::move(geometry.creases), std::move(geometry.smooth));
 }
 
 void OverlayRenderer::set_points(std::span<const Eigen::Vector3f> points_design,
@@ -148,6 +164,11 @@ Status OverlayRenderer::draw(const Offscreen& target, const View& view, const Ov
     if (style.show_patches) impl_->patches.draw(target, view, style.occlusion_tolerance_m);
     impl_->edges.draw(target, view, style.lit_part, 1.5F * scale,
                       0.5 * style.occlusion_tolerance_m);
+  }
+  if (style.show_ghost && impl_->has_ghost) {
+    impl_->ghost_mesh.draw(target, view, kGhostPart, style.occlusion_tolerance_m);
+    impl_->ghost_edges.draw(target, view, kGhostPart, kGhostLinePx * scale,
+                            0.5 * style.occlusion_tolerance_m);
   }
   Status status = impl_->canvas.draw(target, draw_markers(impl_->markers, view, style.scale));
   if (status && style.show_legend && style.show_cloud) status = impl_->draw_legend(target, style);

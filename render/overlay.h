@@ -48,6 +48,7 @@ struct OverlayStyle {
   bool show_cloud = true;
   bool show_clutter = true;  // points that are not the object: dim
   bool show_design = true;
+  bool show_ghost = true;     // where there is one
   bool show_patches = false;  // on the design, where it is shown
   bool show_legend = true;
   double inset_top_px = 0;     // covered by a strip of the screen: the legend stays clear of it
@@ -68,6 +69,10 @@ class OverlayRenderer {
   // The design's triangles (m, design frame) and the part of each. A design that is a bare cloud:
   // no triangles.
   void set_design(const TriangleMesh& mesh, std::span<const std::int32_t> triangle_part);
+  // The next part where it belongs: its triangles (m, design frame), in a colour of its own, its
+  // edges showing through what stands before it. Drawn where the style has show_ghost. No
+  // triangles: none.
+  void set_ghost(const TriangleMesh& mesh);
   // The points of one state in the design frame (m), their signed deviation (m; NaN: clutter or
   // unknown) and class (0 clutter, 1 object, 2 contradicting). All of one length; not finite points
   // are not drawn.

@@ -60,6 +60,8 @@ Result<std::unique_ptr<Application>> Application::create(ApplicationInputs input
   app->feed_ = std::move(*feed);
   if (!in.source_remark.empty()) app->notice(in.source_remark);
   app->start_distances();
+  app->show_step();
+  if (app->in_.job) app->picks_.clear();  // what is proposed is on the table
   return app;
 }
 
@@ -160,6 +162,7 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   }
   take_distances();
   take_checks();
+  take_job_checks();
   take_saved();
   take_find();
   while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);
@@ -289,6 +292,7 @@ std::vector<ScenePicture> Application::scenes() {
   work.show_patches = view_mode_ == ViewMode::kSeen;
   if (const auto& target = state->coverage.advice.target)
     work.markers.push_back({*target, render::Marker::Kind::kProposed, "next"});
+  if (ghost_marker_) work.markers.push_back(*ghost_marker_);
   work.show_legend = true;
   work.lit_part = lit_part_;
   work.legend_top_px = layout_.strip.height;

@@ -17,6 +17,7 @@
 #include "app/application/box_session.h"
 #include "app/application/find_session.h"
 #include "app/application/find_worker.h"
+#include "app/application/job_session.h"
 #include "app/application/job_thread.h"
 #include "app/application/picture.h"
 #include "app/application/pose_table.h"
@@ -49,6 +50,7 @@ struct ApplicationInputs {
   int width = 1280, height = 800;  // px
   // Of every frame, for poses(): memory that grows with the run. Else of the last seconds only.
   bool keep_poses = true;
+  std::unique_ptr<JobSession> job;  // of this design; null: there is none
   bool wait_for_jobs = false;  // each frame waits for its jobs: the same pictures on any machine
   // A graphics card draws: it colours every pixel of a frame. Not said: the driver is asked.
   std::optional<bool> has_graphics_card;
@@ -148,6 +150,12 @@ class Application {
   void lose_sensor();
   [[nodiscard]] bool fill_find(ui::ScreenState& out) const;
   void fill_choose(ui::ScreenState& out) const;
+  // application_job.cpp
+  void show_step();
+  void leave_out_absent(std::vector<double>& likelihood) const;
+  void take_job_checks();
+  void accept_step();
+  void fill_job(ui::ScreenState& out) const;
   // application_screen.cpp
   [[nodiscard]] ui::ScreenState screen_state() const;
   void fill_align(ui::ScreenState& out) const;
@@ -206,6 +214,11 @@ class Application {
   ViewControl design_eye_, scan_eye_, work_eye_;
   bool detached_ = false;
   std::string last_targets_;
+
+  // The job's.
+  std::vector<bool> on_table_;  // one a part: it stands, or is the present step's
+  std::optional<render::Marker> ghost_marker_;
+  CommandQueue<std::filesystem::path> reports_;  // of checks, written
 
   // Evidence.
   int shots_ = 0, checks_ = 0, checks_open_ = 0;

@@ -56,6 +56,9 @@ void Application::handle(const ui::Command& command) {
     case ui::Action::kAccept:
       accept_choice();
       break;
+    case ui::Action::kAcceptStep:
+      accept_step();
+      break;
     case ui::Action::kFinish:
       finish_align();
       break;
@@ -211,10 +214,16 @@ void Application::start_align() {
 
 std::vector<double> Application::landmark_evidence(std::span<const PointPair> pairs) const {
   const VisionStatePtr& state = shown();
-  if (!state) return {};
+  std::vector<double> likelihood;
+  if (!state) {
+    leave_out_absent(likelihood);
+    return likelihood;
+  }
   PickScene scene{*in_.design, in_.camera, *state->frame, state->scan.points, std::nullopt};
   if (state->quality != TrackQuality::kUnaligned) scene.T_design_camera = state->T_design_camera;
-  return measured_likelihood(scene, landmarks_.landmarks, pairs);
+  likelihood = measured_likelihood(scene, landmarks_.landmarks, pairs);
+  leave_out_absent(likelihood);
+  return likelihood;
 }
 
 // Picks are made on one frame: the picture stands still, a recording waits, a camera is followed.
@@ -316,9 +325,13 @@ void Application::take_checks() {
       notice(fmt::format("{}: {} Saved in {}.", ui::word(last_check_->first), last_check_->second,
                          folder.string()));
     }
-    jobs_.run([this, folder, record, shown = std::move(*pictures)] {
+    const bool is_of_step = in_.job != nullptr && !done->final;
+    jobs_.run([this, folder, record, is_of_step, shown = std::move(*pictures)] {
       const Status written = evidence::write_inspection(folder, *record, shown);
-      if (!written) static_cast<void>(write_errors_.push(written.error()));
+      if (!written)
+        static_cast<void>(write_errors_.push(written.error()));
+      else if (is_of_step)
+        static_cast<void>(reports_.push(folder / "report.json"));
     });
   }
 }

@@ -142,6 +142,7 @@ ui::ScreenState Application::screen_state() const {
                    : has_pictures() || !state_->is_tracked() ? mark_of(state_->quality)
                                                              : ui::TrackingMark::kLost;
   out.menu_open = menu_open_;
+  fill_job(out);
   switch (screen_) {
     case ui::Screen::kAlign:
       fill_align(out);
@@ -269,11 +270,14 @@ void Application::fill_work(ui::ScreenState& out) const {
     out.hint_is_warning = false;
   }
   if (out.hint.empty() && state) out.hint = state->coverage.advice.text;
-  if (out.hint.empty()) out.hint = "Look where it matters, then press Check.";
+  if (out.hint.empty())
+    out.hint = out.step_part.empty() ? "Look where it matters, then press Check."
+                                     : out.step_part + ". Press Check when it sits.";
   if (!out.measured) return;
   const std::vector<Part>& parts = in_.design->model.parts;
   const std::vector<double> shares = seen_shares(state->coverage);
   for (std::size_t i = 0; i < state->coverage.parts.size(); ++i) {
+    if (in_.job && !on_table_[i]) continue;
     const PartReading& part = state->coverage.parts[i];
     const bool seen = part.is_seen && shares[i] >= kSeenShare;
     ui::PartLine line;
@@ -285,8 +289,10 @@ void Application::fill_work(ui::ScreenState& out) const {
     line.coverage = shares[i];
     out.parts.push_back(std::move(line));
   }
+  const int first = in_.job ? in_.job->part() : -1;  // what the present step is about
   std::stable_sort(out.parts.begin(), out.parts.end(),
-                   [](const ui::PartLine& a, const ui::PartLine& b) {
+                   [first](const ui::PartLine& a, const ui::PartLine& b) {
+                     if ((a.part == first) != (b.part == first)) return a.part == first;
                      const bool a_seen = a.status != ui::StatusMark::kNotMeasured;
                      const bool b_seen = b.status != ui::StatusMark::kNotMeasured;
                      if (a_seen != b_seen) return a_seen;
@@ -305,6 +311,7 @@ std::string Application::changed_targets() {
                      : has_pictures() ? name(state_->quality)
                                       : name(TrackQuality::kLost);
   if (const std::string box = box_in_words(); !box.empty()) json["box"] = box;
+  if (in_.job) json["step"] = in_.job->step_words();
   if (frozen_) json["frozen_frame"] = frozen_->frame->index;
   json["picks"] = picks_.pairs().size();
   if (still_of_) {

@@ -44,6 +44,20 @@ Result<Picture> Picture::create(const PreparedDesign& design, int width, int hei
   return picture;
 }
 
+void Picture::show_parts(const DesignModel& design, const std::vector<bool>& is_shown,
+                         const TriangleMesh* ghost) {
+  TriangleMesh shown{.vertices = design.mesh.vertices, .triangles = {}};
+  std::vector<std::int32_t> part;
+  for (std::size_t t = 0; t < design.mesh.triangles.size(); ++t) {
+    const std::int32_t of = design.triangle_part[t];
+    if (of >= 0 && !is_shown[static_cast<std::size_t>(of)]) continue;
+    shown.triangles.push_back(design.mesh.triangles[t]);
+    part.push_back(of);
+  }
+  overlay_.set_design(shown, part);
+  overlay_.set_ghost(ghost != nullptr ? *ghost : TriangleMesh{});
+}
+
 Status Picture::resize(int width, int height) {
   if (target_.width() == width && target_.height() == height) return {};
   Result<render::Offscreen> target = render::Offscreen::create(width, height);

@@ -49,6 +49,10 @@ class Picture {
   // coloured by the graphics card. kNoDevice where the driver has no room for that: all stays as it
   // was.
   [[nodiscard]] Status set_distances(const DistanceVolume& distances, const Camera& camera);
+  // Which parts of the design are drawn, one a part (all at first), and the next part where it
+  // belongs (m, design frame; nullptr: none).
+  void show_parts(const DesignModel& design, const std::vector<bool>& is_shown,
+                  const TriangleMesh* ghost);
   // Every so many pixels of a state's frame are drawn as points.
   [[nodiscard]] int stride_px(const VisionState& state) const;
   // What the scene's pictures show from now on; nothing is sent to the GPU for a state already

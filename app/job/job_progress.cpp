@@ -85,8 +85,10 @@ std::vector<JointHistory> joint_histories(const std::vector<CheckRecord>& record
     const CheckRecord* before = nullptr;
     bool was_accepted = false;
     for (const CheckRecord* check : checks[j]) {
-      ++history.checks;
-      if (!was_accepted) ++history.tries;
+      const bool is_anew = before == nullptr || check->report_sha256.empty() ||
+                           check->report_sha256 != before->report_sha256;
+      if (is_anew) ++history.checks;
+      if (is_anew && !was_accepted) ++history.tries;
       history.is_accepted = check->outcome != Outcome::kRedo;
       was_accepted = was_accepted || history.is_accepted;
       if (!check->override_reason.empty()) ++history.overrides;

@@ -45,7 +45,9 @@ struct JointHistory {
   std::vector<Shrinkage> shrinkage;  // of numbers measured in the last check before and after it
 };
 
-// One entry for each joint that was checked, in the order of their first checks. "Before" is the
+// One entry for each joint that was checked, in the order of their first checks. Records after one
+// another of one report are one check: its numbers as they came, and what was decided on them.
+// "Before" is the
 // last check before the last after-weld one, of phase before-weld, else after-tack.
 [[nodiscard]] std::vector<JointHistory> joint_histories(const std::vector<CheckRecord>& records);
 

@@ -55,7 +55,8 @@ void draw_strip(const ScreenState& state, const Painter& painter) {
   x -= 16 * dp;
   draw_tracking(list, state.tracking, {x, middle}, 8 * dp);
   x -= 20 * dp;
-  const std::string title = fitted(state.title, std::max(0.0F, x - 16 * dp));
+  const std::string name = state.step.empty() ? state.title : state.title + " · " + state.step;
+  const std::string title = fitted(name, std::max(0.0F, x - 16 * dp));
   const ImVec2 size = ImGui::CalcTextSize(title.c_str());
   list.AddText({16 * dp, middle - 0.5F * size.y}, kTextColour, title.c_str());
   ImGui::PopFont();

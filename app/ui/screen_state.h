@@ -37,6 +37,7 @@ struct PartLine {
 struct ScreenState {
   Screen screen = Screen::kAlign;
   std::string title;   // the spool
+  std::string step;    // of a job: "step 4 of 11"; empty: there is no job
   std::string source;  // one line: camera or recording
   bool source_is_well = true;
   TrackingMark tracking = TrackingMark::kNone;
@@ -81,6 +82,9 @@ struct ScreenState {
   std::string view_word;     // what View shows now: "both", "scan", "drawing", "seen"
   bool sight_shown = false;  // the drawing carries marks of how well it is known
   bool list_open = false;
+  std::string step_part;    // of a job: what the step is of
+  bool can_accept = false;  // the step, on the check just made
+  std::string accept_word;  // under Accept: what the check said, or what is missing
 };
 
 enum class Action {
@@ -89,6 +93,7 @@ enum class Action {
   kCancelFind,
   kNext,    // of the poses to choose from
   kAccept,  // the pose shown
+  kAcceptStep,
   kCheck,
   kShot,
   kView,

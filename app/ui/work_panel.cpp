@@ -246,7 +246,12 @@ void draw_work(const ScreenState& state, const Painter& painter, std::vector<Com
              big_button(painter, "Find", layout.actions[1], "the spool", ButtonLook::kPrimary)) {
     commands.push_back({Action::kFind});
   }
-  if (big_button(painter, "Shot", layout.actions[2])) commands.push_back({Action::kShot});
+  if (state.can_accept) {
+    if (big_button(painter, "Accept", layout.actions[2], state.accept_word, ButtonLook::kPrimary))
+      commands.push_back({Action::kAcceptStep});
+  } else if (big_button(painter, "Shot", layout.actions[2])) {
+    commands.push_back({Action::kShot});
+  }
   if (state.frozen) {
     draw_frozen(painter);
     if (big_button(painter, "Live", layout.actions[3], "go on", ButtonLook::kPrimary))
