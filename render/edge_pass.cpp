@@ -12,9 +12,7 @@
 namespace spool::render {
 namespace {
 
-const Eigen::Vector3f kLine{0.90F, 0.94F, 0.97F};     // sRGB
 const Eigen::Vector3f kLitLine{0.45F, 0.82F, 1.00F};  // sRGB
-const Eigen::Vector3f kRim{0.03F, 0.04F, 0.05F};      // sRGB
 constexpr float kOpacity = 0.92F;
 constexpr float kHiddenOpacity = 0.22F;
 constexpr float kHiddenLitOpacity = 0.6F;
@@ -54,7 +52,7 @@ void EdgePass::set_edges(std::vector<MeshEdge> creases, std::vector<MeshEdge> sm
 }
 
 void EdgePass::draw(const Offscreen& target, const View& view, int lit_part, float width_px,
-                    double tolerance_m) {
+                    double tolerance_m, const EdgeColours& colours) {
   // The outline depends on the eye. Found here in well under a millisecond for 100 000 triangles;
   // in a vertex shader every edge would cost four invocations, which a software driver cannot
   // afford.
@@ -86,14 +84,14 @@ void EdgePass::draw(const Offscreen& target, const View& view, int lit_part, flo
                                                static_cast<float>(target.height())));
   program_.set("u_near_m", static_cast<float>(view.near_m));
   program_.set("u_shift_m", static_cast<float>(-tolerance_m));
-  program_.set("u_colour", kLine);
+  program_.set("u_colour", colours.line);
   program_.set("u_lit_colour", kLitLine);
-  program_.set("u_rim_colour", kRim);
+  program_.set("u_rim_colour", colours.rim);
   glBindVertexArray(attributes_.id());
   glBindBuffer(GL_ARRAY_BUFFER, instances_.id());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(lines.size() * sizeof(LineInstance)),
                lines.data(), GL_STREAM_DRAW);
-  if (seen_through > 0) {
+  if (seen_through > 0 && colours.shows_hidden) {
     set_draw_state({.blend = Blend::kOver, .depth_test = DepthTest::kFarther});
     program_.set("u_width_px", 0.7F * width_px);
     program_.set("u_opacity", kHiddenOpacity);

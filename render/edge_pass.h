@@ -13,13 +13,20 @@
 
 namespace spool::render {
 
+// sRGB. The default is for the dark screen; on paper lines are dark, and hidden ones left out.
+struct EdgeColours {
+  Eigen::Vector3f line{0.90F, 0.94F, 0.97F};
+  Eigen::Vector3f rim{0.03F, 0.04F, 0.05F};
+  bool shows_hidden = true;
+};
+
 class EdgePass {
  public:
   [[nodiscard]] static Result<EdgePass> create();
   void set_edges(std::vector<MeshEdge> creases, std::vector<MeshEdge> smooth);
   // Lines count as hidden by what is more than `tolerance_m` nearer.
   void draw(const Offscreen& target, const View& view, int lit_part, float width_px,
-            double tolerance_m);
+            double tolerance_m, const EdgeColours& colours = {});
 
  private:
   ShaderProgram program_;

@@ -30,7 +30,9 @@ MAY_INCLUDE = {
     "app/sensor": VISION + ["vision", "app/common", "app/sensor"],
     "app/job": VISION + GUIDE + ["vision", "app/common", "app/job"],
     "app/evidence": VISION + GUIDE + ["vision", "render", "app/common", "app/sensor", "app/job", "app/evidence"],
-    "tools": VISION + GUIDE + ["vision", "vision/live", "render", "app/common", "app/sensor", "app/job", "app/evidence", "tools"],
+    "app/isometric": VISION + GUIDE + ["vision", "render", "app/common", "app/job", "app/isometric"],
+    "tools": VISION + GUIDE + ["vision", "vision/live", "render", "app/common", "app/sensor", "app/job", "app/evidence",
+              "app/isometric", "tools"],
     "app": None,    # joins everything
     "tests": None,
 }
@@ -49,6 +51,7 @@ ONLY_IN = {
     r"sqlite3": ["app/job/sqlite.cpp", "tests/app/job"],
     r"spdlog|fmt/": ["app", "tools"],
     r"nlohmann/": ["app", "tools", "tests", "render"],
+    r"cairo|pango/": ["app/isometric/page_canvas.cpp"],
     r"X11/": ["app"],
     r"png\.h": ["render", "app/sensor", "tests"],
     r"open3d/": ["tools/compare/open3d_cloud.h", "tools/compare/open3d_icp.cpp",

@@ -1,4 +1,4 @@
-// spoolsight-convert: a design file to a design glTF, and what a piping file says.
+// spoolsight-convert: a design file to a design glTF or an isometric, and what a piping file says.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "app/common/cli.h"
 #include "app/common/progress.h"
+#include "tools/convert_isometric.h"
 #include "tools/pcf_info.h"
 #include "vision/core/file_io.h"
 #include "vision/design/design_reader.h"
@@ -26,6 +27,7 @@ struct ConvertOptions {
   std::string input, out, unit, spool;
   double root_gap_mm = 0;
   bool info = false;
+  IsometricFlags isometric;
 };
 
 bool ends_in(const std::string& path, const std::string& ending) {
@@ -37,15 +39,16 @@ bool ends_in(const std::string& path, const std::string& ending) {
 }
 
 Status check(const ConvertOptions& options) {
-  if (options.out.empty() && !options.info)
-    return Error{ErrorCode::kUsage, "nothing to do: give -o FILE.glb, --info or both"};
+  if (options.out.empty() && !options.info && options.isometric.out.empty())
+    return Error{ErrorCode::kUsage,
+                 "nothing to do: give -o FILE.glb, --info, --isometric FILE.pdf or several"};
   if (!options.out.empty() && !ends_in(options.out, ".glb"))
     return Error{ErrorCode::kUsage, "-o " + options.out + ": a design is written as .glb"};
   if ((options.info || !options.spool.empty()) && !ends_in(options.input, ".pcf"))
     return Error{ErrorCode::kUsage, (options.info ? "--info" : "--spool") +
                                         std::string(" is of a .pcf file, which ") + options.input +
                                         " is not"};
-  return {};
+  return check(options.isometric);
 }
 
 // The piping file, or the one spool of it that was asked for.
@@ -78,19 +81,31 @@ Result<DesignModel> read(const ConvertOptions& options) {
   return design;
 }
 
-Status write_glb(const ConvertOptions& options) {
+Status write_glb(const ConvertOptions& options, const DesignModel& design) {
+  const Result<std::string> bytes = write_gltf(design);
+  if (!bytes) return bytes.error();
+  if (Status written = write_file_whole(options.out, *bytes); !written) return written;
+  std::cout << "written to " << options.out << ": " << design.parts.size() << " parts, "
+            << design.joints.size() << " joints, " << design.mesh.triangles.size()
+            << " triangles\n";
+  return {};
+}
+
+// What is made of the design itself.
+Status write_files(const ConvertOptions& options) {
   Progress progress;
   progress.report("design", 0);
   const Result<DesignModel> design = read(options);
   if (!design) return design.error();
   progress.report("writing", 0.5);
-  const Result<std::string> bytes = write_gltf(*design);
-  if (!bytes) return bytes.error();
-  if (Status written = write_file_whole(options.out, *bytes); !written) return written;
+  if (!options.out.empty()) {
+    if (Status status = write_glb(options, *design); !status) return status;
+  }
+  if (!options.isometric.out.empty()) {
+    const double gap = options.root_gap_mm / 1000;
+    if (Status status = write_isometric(*design, options.isometric, gap); !status) return status;
+  }
   for (const std::string& warning : design->warnings) std::cerr << "warning: " << warning << "\n";
-  std::cout << "written to " << options.out << ": " << design->parts.size() << " parts, "
-            << design->joints.size() << " joints, " << design->mesh.triangles.size()
-            << " triangles\n";
   return {};
 }
 
@@ -99,8 +114,8 @@ Result<int> convert(const ConvertOptions& options) {
   if (options.info) {
     if (Status status = print_info(options); !status) return status.error();
   }
-  if (!options.out.empty()) {
-    if (Status status = write_glb(options); !status) return status.error();
+  if (!options.out.empty() || !options.isometric.out.empty()) {
+    if (Status status = write_files(options); !status) return status.error();
   }
   return 0;
 }
@@ -109,7 +124,7 @@ Result<int> convert(const ConvertOptions& options) {
 }  // namespace spool::tools
 
 int main(int argc, char** argv) {
-  CLI::App app{"Turns a piping file, or any other design, into a design glTF."};
+  CLI::App app{"Turns a piping file, or any other design, into a design glTF or an isometric."};
   spool::tools::ConvertOptions options;
   spool::add_common_options(app, "spoolsight-convert");
   app.add_option("design", options.input, "Design: .pcf .glb .gltf .stl .obj .ply")
@@ -122,13 +137,14 @@ int main(int argc, char** argv) {
   app.add_option("--spool", options.spool, "Of a .pcf: this spool alone, as --info names it")
       ->type_name("NAME");
   app.add_option("--root-gap-mm", options.root_gap_mm,
-                 "Root gap of butt welds that the cut list takes off, mm")
+                 "Root gap of butt welds that cut lists take off, mm")
       ->check(spool::non_negative_number())
       ->capture_default_str()
       ->type_name("MM");
   app.add_option("--design-unit", options.unit, "Unit of the file's coordinates: m, mm or in")
       ->check(CLI::IsMember({"m", "mm", "in"}))
       ->type_name("UNIT");
+  spool::tools::add_isometric_flags(app, options.isometric);
   app.footer("Exit code: 0 done; 64 usage, 65 bad input, 70 internal, 74 read or write failed.");
   return spool::run_program(app, argc, argv, [&] { return spool::tools::convert(options); });
 }

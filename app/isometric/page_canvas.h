@@ -1,0 +1,65 @@
+// A page of paper to draw on: PDF as vectors, or PNG of the same page.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/image.h"
+#include "vision/core/result.h"
+#include "vision/guide/drawing.h"
+
+namespace spool::isometric {
+
+inline constexpr double kPageWidth_mm = 420, kPageHeight_mm = 297;  // A3 landscape, ISO 216
+
+enum class TextAlign { kLeft, kCentre, kRight };
+
+// One page at a time, millimetres, y down. One thread.
+class PageCanvas {
+ public:
+  PageCanvas(PageCanvas&&) noexcept;
+  PageCanvas& operator=(PageCanvas&&) noexcept;
+  ~PageCanvas();
+
+  void stroke(const guide::Stroke& stroke);
+  void line(double x0, double y0, double x1, double y1, double width_mm);
+  void box(double x, double y, double width, double height, double width_mm);
+  // One line; `y` is the middle of the letters' height. Longer than `room_mm` (over 0): cut, with
+  // an ellipsis.
+  void text(const std::string& utf8, double x, double y, double height_mm,
+            TextAlign align = TextAlign::kLeft, bool is_bold = false, double room_mm = 0);
+  void draw(const guide::Drawing& drawing);
+  // Fills a box of the page.
+  void image(const render::Image& image, double x, double y, double width, double height);
+
+  // The width (mm) that text() takes.
+  [[nodiscard]] double text_width(const std::string& utf8, double height_mm, bool is_bold = false);
+
+ private:
+  friend Result<std::string> draw_pdf(const std::vector<std::function<void(PageCanvas&)>>& pages,
+                                      const std::string& title);
+  friend Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page, double dpi);
+  friend double text_width_mm(const std::string& utf8, double height_mm);
+  struct Impl;
+  explicit PageCanvas(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+using Pages = std::vector<std::function<void(PageCanvas&)>>;
+
+// The bytes of a PDF. No clock is read, so that equal sheets are equal files. kInternal where cairo
+// fails.
+[[nodiscard]] Result<std::string> draw_pdf(const Pages& pages, const std::string& title);
+
+// A page as a picture.
+[[nodiscard]] Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page,
+                                              double dpi);
+
+// The width (mm) of a text on any page; for laying out before one is drawn.
+[[nodiscard]] double text_width_mm(const std::string& utf8, double height_mm);
+
+}  // namespace spool::isometric
