@@ -15,6 +15,6 @@ void main() {
   vec3 normal = normalize(v_normal);
   normal = dot(normal, to_eye) < 0.0 ? -normal : normal;  // winding of foreign meshes is not relied on
   float lamp = max(dot(normal, normalize(vec3(-0.45, 0.75, 0.5))), 0.0);
-  float light = 0.42 + 0.45 * lamp + 0.18 * dot(normal, to_eye);
+  float light = 0.50 + 0.40 * lamp + 0.18 * dot(normal, to_eye);
   o_colour = vec4(mix(u_colour, u_lit_colour, v_lit) * light, 1.0);
 }

@@ -122,8 +122,9 @@ void draw_line_page(PageCanvas& page, const Sheet& sheet, int count) {
       {{"Part", 48}, {"NPS", 22}, {"Sch", 14}, {"Pieces", 12, right}, {"Length", 20, right}},
       material, style);
   style.limit_mm = bottom;
-  std::vector<Column> columns{{"Weld", 20}, {"Type", 15}, {"NPS", 11}, {"Made", 12}};
-  if (sheet.welds.size() > 1) columns.insert(columns.end(), columns.begin(), columns.begin() + 4);
+  const std::vector<Column> half{{"Weld", 20}, {"Type", 15}, {"NPS", 11}, {"Made", 12}};
+  std::vector<Column> columns = half;
+  if (sheet.welds.size() > 1) columns.insert(columns.end(), half.begin(), half.end());
   draw_table(page, x + 2, y + 0.6 * style.row_mm, "Welds", columns, weld_cells(sheet), style);
 }
 

@@ -94,7 +94,7 @@ void draw_weld_page(PageCanvas& page, const Sheet& sheet, int index, int number,
         state.fit_up_by + (state.fit_up_on.empty() ? "" : " " + state.fit_up_on);
     rows.push_back({std::to_string(each->turn), each->number, type, each->nps, each->schedule,
                     each->between, each->can_roll ? "roll" : "in place: " + each->why_not,
-                    std::string(name(state.stage)), signed_by, "", "", "", ""});
+                    std::string(name(state.stage)), signed_by, "", "", each->heat_a, each->heat_b});
   }
   draw_table(page, kLeft_mm, kTop_mm, "Weld map, in the order of welding",
              {{"Turn", 11},
@@ -108,8 +108,8 @@ void draw_weld_page(PageCanvas& page, const Sheet& sheet, int index, int number,
               {"HOLD: fit-up signed", 46},
               {"Welder", 30},
               {"WPS", 33},
-              {"Heat", 35},
-              {"Heat", 35}},
+              {"Heat, first", 35},
+              {"Heat, second", 35}},
              part_of(rows, index), kRows);
   const guide::RollRules& rules = sheet.options.rolls;
   note(page,

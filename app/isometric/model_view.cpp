@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kPixels_mm = 7;     // pixels a millimetre: 178 dpi
-constexpr double kFill = 0.74;       // of the area; labels stand round the steel
+constexpr double kFill = 0.80;       // of the area; labels stand round the steel
 constexpr double kFieldOfView = 12;  // degrees: nearly square to the drawing, with some depth
 constexpr float kLine_px = 2;
 

@@ -163,6 +163,12 @@ class Builder {
     return along.norm() > kShort ? along.normalized() : Vector3d::Zero();
   }
 
+  // Skew legs are read upwards, level ones northwards.
+  static bool goes_down(const Vector3d& direction) {
+    if (std::abs(direction.z()) > 0.01) return direction.z() < 0;
+    return direction.y() < 0;
+  }
+
   void runs() {
     std::vector<std::vector<int>> at_node(line_.nodes.size());
     for (int e = 0; e < static_cast<int>(line_.edges.size()); ++e) {
@@ -199,6 +205,11 @@ class Builder {
         run.direction = -run.direction;
       }
       run.is_skew = run.direction.cwiseAbs().maxCoeff() < kAlong;
+      if (run.is_skew && goes_down(run.direction)) {
+        std::reverse(run.nodes.begin(), run.nodes.end());
+        std::reverse(run.edges.begin(), run.edges.end());
+        run.direction = -run.direction;
+      }
       line_.runs.push_back(std::move(run));
     }
   }

@@ -109,6 +109,24 @@ class Page {
     }
   }
 
+  // The middle of a part's longest stretch; of a bend the middle of its curve, of a tee its corner.
+  Vector2d anchor_of(int part) const {
+    Vector2d anchor = options_.area.center(), ends = Vector2d::Zero();
+    double longest = -1;
+    const Part& own = design_.parts[static_cast<std::size_t>(part)];
+    const bool has_centre = centre_of(own).has_value();
+    for (const LineEdge& edge : line_.edges) {
+      if (edge.part != part) continue;
+      ends += at(edge.from);
+      const double length = (at(edge.to) - at(edge.from)).norm();
+      if (length <= longest) continue;
+      longest = length;
+      anchor = has_centre ? at(edge.to) : Vector2d(0.5 * (at(edge.from) + at(edge.to)));
+    }
+    if (has_centre && own.kind == PartKind::kElbow) return 0.5 * anchor + 0.25 * ends;
+    return anchor;
+  }
+
   // The labels of welds and parts, at the places that are drawn.
   void welds_and_parts() {
     std::vector<Vector2d> anchors;
@@ -123,17 +141,7 @@ class Page {
     for (std::size_t p = 0; p < design_.parts.size(); ++p) {
       const Part& part = design_.parts[p];
       if (part.ports.empty() || part.kind == PartKind::kGasket) continue;
-      // The middle of its longest stretch, or the corner that its stretches meet in.
-      Vector2d anchor = options_.area.center();
-      double longest = -1;
-      for (const LineEdge& edge : line_.edges) {
-        if (edge.part != static_cast<int>(p)) continue;
-        const double length = (at(edge.to) - at(edge.from)).norm();
-        if (length <= longest) continue;
-        longest = length;
-        anchor = centre_of(part) ? at(edge.to) : Vector2d(0.5 * (at(edge.from) + at(edge.to)));
-      }
-      anchors.push_back(anchor);
+      anchors.push_back(anchor_of(static_cast<int>(p)));
     }
     const std::vector<DrawingLabel> labels = weld_and_part_labels(design_);
     for (std::size_t k = 0; k < labels.size() && k < anchors.size(); ++k) {

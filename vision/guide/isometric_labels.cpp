@@ -22,7 +22,9 @@ Vector3d middle_of(const Part& part) {
   if (part.ports.empty()) return part.T_design_part.translation();
   const int other = opposite_port(part, 0);
   const Vector3d one = place_of(part, 0).position;
-  return other < 0 ? one : Vector3d(0.5 * (one + place_of(part, other).position));
+  // A cap or blind: within its body, about half its length (B16.9).
+  if (other < 0) return one - 0.006 * std::max(part.nps, 1.0) * place_of(part, 0).direction;
+  return 0.5 * (one + place_of(part, other).position);
 }
 
 }  // namespace
@@ -60,8 +62,11 @@ Vector2d label_half_size(const DrawingLabel& label, const IsometricOptions& opti
 void draw_label(const IsometricLabel& label, double letters_mm, Drawing& drawing) {
   if (!label.placed.is_placed) return;
   const Box2& box = label.placed.box;
-  if (label.placed.needs_leader)
-    drawing.strokes.push_back({{label.placed.leader.a, label.placed.leader.b}, 0.15});
+  if (label.placed.needs_leader) {
+    const Vector2d at = label.placed.leader.a;
+    drawing.strokes.push_back({{at, label.placed.leader.b}, 0.15});
+    drawing.strokes.push_back({{at, at + Vector2d(0.001, 0)}, 0.7});  // a dot at what it names
+  }
   const bool is_weld = label.label.kind == LabelKind::kWeld;
   if (is_weld || label.label.kind == LabelKind::kPart) {
     Stroke frame;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "vision/guide/plane_geometry.h"
 
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 constexpr double kSamePlace = 0.0015;  // m: coordinates this near are one level
 constexpr double kLeastSkew_mm = 7;    // of each component of a skew leg, to be told apart
 constexpr double kNear_mm = 4;         // what is drawn nearer than this is hard to tell apart
-constexpr double kLargest = 1.4;       // a small spool is not blown up beyond this
+constexpr double kLargest = 2.0;       // a small spool is not blown up beyond this
 
 // How long an edge wants to be drawn (mm).
 double wanted_mm(const DesignModel& design, const CentreLine& line, int edge) {
@@ -69,22 +70,25 @@ class Axis {
     const std::size_t a = level(std::min(from, to)), b = level(std::max(from, to));
     if (a < b) claims_.push_back({a, b, least_mm});
   }
-  // The longest path from below and from above; half way between both keeps every claim.
+  // The longest path from below; then what only begins legs is moved up to them, so that neither
+  // end of a leg that is free drifts away.
   void solve() {
     const std::size_t count = levels_.size();
-    std::vector<double> low(count, 0), high(count, 0);
+    drawn_.assign(count, 0);
     for (std::size_t k = 1; k < count; ++k) {
-      low[k] = low[k - 1] + step(k);
+      drawn_[k] = drawn_[k - 1] + step(k);
       for (const Claim& each : claims_)
-        if (each.to == k) low[k] = std::max(low[k], low[each.from] + each.least_mm);
+        if (each.to == k) drawn_[k] = std::max(drawn_[k], drawn_[each.from] + each.least_mm);
     }
-    high = low;
     for (std::size_t k = count - 1; k-- > 0;) {
-      high[k] = high[k + 1] - step(k + 1);
-      for (const Claim& each : claims_)
-        if (each.from == k) high[k] = std::min(high[k], high[each.to] - each.least_mm);
+      double highest = drawn_[k + 1] - step(k + 1);
+      bool only_begins = true;
+      for (const Claim& each : claims_) {
+        if (each.from == k) highest = std::min(highest, drawn_[each.to] - each.least_mm);
+        only_begins = only_begins && each.to != k;
+      }
+      if (only_begins) drawn_[k] = std::max(drawn_[k], highest);
     }
-    for (std::size_t k = 0; k < count; ++k) drawn_.push_back(0.5 * (low[k] + high[k]));
   }
   [[nodiscard]] double drawn(double value) const { return drawn_[level(value)]; }
 
@@ -164,6 +168,15 @@ double hidden(const CentreLine& line, const std::vector<Vector2d>& places) {
   double sum = 0;
   const auto at = [&](int node) { return places[static_cast<std::size_t>(node)]; };
   for (std::size_t a = 0; a < line.runs.size(); ++a) {
+    if (line.runs[a].is_skew) {
+      // A skew leg that is drawn like a straight one has but its hatching to tell it apart.
+      const Vector2d leg =
+          (at(line.runs[a].nodes.back()) - at(line.runs[a].nodes.front())).normalized();
+      for (const double degrees : {30.0, 90.0, 150.0}) {
+        const double angle = degrees * std::numbers::pi / 180;
+        if (std::abs(cross(leg, {std::cos(angle), std::sin(angle)})) < 0.1) sum += 0.5;
+      }
+    }
     for (std::size_t b = a + 1; b < line.runs.size(); ++b) {
       const LineRun &one = line.runs[a], &other = line.runs[b];
       const Segment2 first{at(one.nodes.front()), at(one.nodes.back())};

@@ -25,7 +25,7 @@ class Symbols {
         line_(line),
         layout_(layout),
         axes_(isometric_axes(layout.quarter)),
-        unit_(std::min(1.0, std::max(0.45, layout.scale))) {}
+        unit_(std::clamp(layout.scale, 0.5, 1.3)) {}
 
   std::vector<Stroke> draw() {
     for (int e = 0; e < static_cast<int>(line_.edges.size()); ++e) {
@@ -77,13 +77,16 @@ class Symbols {
     strokes_.push_back({std::move(points), width, is_closed, fill, false});
   }
 
-  // The unit direction on paper in which something square to an edge is drawn: along the axis that
-  // is least along it, upright if it can be.
+  // The unit direction on paper in which something square to an edge is drawn: along an axis that
+  // it does not run along, upright if it can be; square on paper where the leg is skew.
   Vector2d across(const LineEdge& edge) const {
     const Vector3d along = (drawn(edge.to) - drawn(edge.from)).normalized();
-    const Vector3d& d = along;
+    if (along.cwiseAbs().maxCoeff() < 0.99) {
+      const Vector2d leg = (at(edge.to) - at(edge.from)).normalized();
+      return {-leg.y(), leg.x()};
+    }
     int axis = 2;
-    if (std::abs(d.z()) > 0.7) axis = std::abs(d.x()) < std::abs(d.y()) ? 0 : 1;
+    if (std::abs(along.z()) > 0.7) axis = std::abs(along.x()) < std::abs(along.y()) ? 0 : 1;
     return axes_.col(axis).normalized();
   }
 
@@ -165,7 +168,8 @@ class Symbols {
   }
 
   void cap(const LineEdge& edge) {
-    const Vector2d side = 1.6 * unit_ * across(edge), along = at(edge.to) - at(edge.from);
+    const Vector2d side = 1.8 * unit_ * across(edge);
+    const Vector2d along = 1.8 * unit_ * (at(edge.to) - at(edge.from)).normalized();
     std::vector<Vector2d> dome;
     for (int k = 0; k <= 12; ++k) {
       const double angle = std::numbers::pi * k / 12;

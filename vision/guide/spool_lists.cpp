@@ -75,8 +75,8 @@ std::vector<WeldRow> weld_rows(const DesignModel& design, const RollPlan& plan) 
     const Part &a = part_at(joint.part_a), &b = part_at(joint.part_b);
     const double port_nps = b.ports[static_cast<std::size_t>(joint.port_b)].nps;
     rows.push_back({joint.weld, joint.type, size_of(port_nps > 0 ? port_nps : b.nps),
-                    a.schedule.empty() ? b.schedule : a.schedule, a.name + ", " + b.name,
-                    turn->can_roll, turn->why_not,
+                    a.schedule.empty() ? b.schedule : a.schedule, a.name + ", " + b.name, a.heat,
+                    b.heat, turn->can_roll, turn->why_not,
                     static_cast<int>(turn - plan.order.begin()) + 1});
   }
   return rows;

@@ -34,7 +34,8 @@ struct WeldRow {
   std::string number;
   JointType type = JointType::kFab;
   std::string nps, schedule;
-  std::string between;  // "flange-1, pipe-1"
+  std::string between;         // "flange-1, pipe-1"
+  std::string heat_a, heat_b;  // of these two, where the design says
   bool can_roll = false;
   std::string why_not;
   int turn = 0;  // from 1: when it is welded in the plan
