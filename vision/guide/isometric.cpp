@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 
 constexpr double kMargin_mm = 24;  // round the lines: for dimensions and labels
 constexpr double kThin_mm = 0.18;  // dimension lines
-constexpr double kPipeCost = 3, kHatchCost = 0.25;
+constexpr double kPipeCost = 3, kSymbolCost = 1, kHatchCost = 0.25;
 
 std::string millimetres(double length_m) {
   return std::to_string(static_cast<long long>(std::llround(1000 * length_m)));
@@ -52,6 +52,7 @@ class Page {
       lines_.push_back({{at(edge.from), at(edge.to)}, kPipeCost});
     skews();
     std::vector<Stroke> symbols = isometric_symbols(design_, line_, layout_);
+    keep_off(symbols);
     dimensions();
     welds_and_parts();
     if (options_.shows_ends) ends();
@@ -66,6 +67,15 @@ class Page {
 
  private:
   const Vector2d& at(int node) const { return layout_.places[static_cast<std::size_t>(node)]; }
+
+  // The bodies of flanges, valves and other symbols; welds have boxes of their own.
+  void keep_off(const std::vector<Stroke>& symbols) {
+    for (const Stroke& each : symbols) {
+      if (!each.is_closed || each.points.size() != 4) continue;
+      for (std::size_t k = 0; k < 4; ++k)
+        lines_.push_back({{each.points[k], each.points[(k + 1) % 4]}, kSymbolCost});
+    }
+  }
 
   void request(LabelKind kind, std::string text, const Vector2d& anchor,
                const Vector2d& slide = Vector2d::Zero(), JointType type = JointType::kFab) {
