@@ -79,13 +79,14 @@ TEST(CentreLine, SkewLegsAreTold) {
 }
 
 TEST(CentreLine, KeepsTheFilesCoordinates) {
-  const DesignModel design = design_from(random_spool_pcf({.seed = 1}));
+  DesignModel design = design_from(random_spool_pcf({.seed = 1}));
+  design.origin += Eigen::Vector3d(5000, 7, -3000);  // east, up, south: a plant's far corner
   const auto line = guide::centre_line(design, {});
   ASSERT_TRUE(line);
   const bool starts = std::any_of(line->nodes.begin(), line->nodes.end(), [](const auto& node) {
-    return node.open_part >= 0 && (node.place - Eigen::Vector3d(1, 2, 0.5)).norm() < 1e-6;
+    return node.open_part >= 0 && (node.place - Eigen::Vector3d(5001, 3002, 7.5)).norm() < 1e-6;
   });
-  EXPECT_TRUE(starts) << "east, north, up of the first flange's face are 1000 2000 500";
+  EXPECT_TRUE(starts) << "the first flange's face is at 1000 2000 500 of the file";
 }
 
 TEST(CentreLine, OfADesignWithoutPortsIsRefused) {
