@@ -93,7 +93,7 @@ TEST_F(Convert, EndsWithTheCodesOfAllPrograms) {
     const char* says;
   } cases[] = {
       {{}, 64, "design"},
-      {{pcf}, 64, "give -o FILE.glb, --info or both"},
+      {{pcf}, 64, "give -o FILE.glb, --info, --isometric FILE.pdf or several"},
       {{pcf, "-o", at("spool.stl")}, 64, "a design is written as .glb"},
       {{pcf, "--info", "--root-gap-mm", "-1"}, 64, "--root-gap-mm"},
       {{file("mesh.obj", "v 0 0 0\n"), "--info"}, 64, "--info is of a .pcf file"},
