@@ -4,6 +4,7 @@
 #include "vision/inspector.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "vision/core/stage_clock.h"
@@ -18,8 +19,12 @@
 #include "vision/measure/bumps.h"
 #include "vision/measure/dimensions.h"
 #include "vision/measure/fit_up.h"
+#include "vision/measure/gauge_check.h"
+#include "vision/measure/gauges.h"
 #include "vision/measure/joint_errors.h"
 #include "vision/measure/judge_dimensions.h"
+#include "vision/measure/sensor_findings.h"
+#include "vision/measure/warp_check.h"
 
 namespace spool {
 namespace {
@@ -80,9 +85,10 @@ std::string why_nothing_ok(const Alignment& alignment, const InspectorOptions& o
   return "";
 }
 
-// Pipe axes, flange faces and how their bolt holes stand, from the points of their parts.
+// Pipe axes, flange faces and how their bolt holes stand, from the points of their parts; and what
+// those of known size say of the sensor's scale.
 PartFeatures fit_features(const DesignModel& design, const InspectorOptions& options,
-                          double noise_m, const Inspection& inspection, const Watch& watch) {
+                          double noise_m, Inspection& inspection, const Watch& watch) {
   FeatureScan scan{inspection.scan_design, inspection.declutter.classes, inspection.deviations};
   scan.correlated = options.correlated;
   scan.warp_u_m = options.warp_u_m;
@@ -91,22 +97,30 @@ PartFeatures fit_features(const DesignModel& design, const InspectorOptions& opt
     scan.eye = inspection.alignment.T_design_scan.translation() - design.origin;
   PartFeatures features = measure_features(design, scan, watch);
   add_bolt_holes(design, drawing_of(design), scan, features, watch);
+  std::vector<Gauge> gauges = gauges_of(design, scan, features, watch);
+  gauges.insert(gauges.end(), options.scale_bars.begin(), options.scale_bars.end());
+  inspection.scale = check_scale(gauges, {.scale_u = options.scale_u});
   return features;
 }
 
 // The drawing's dimensions between them, and what they say of the parts.
 void measure_drawing(const DesignModel& design, const InspectorOptions& options,
                      const PartFeatures& features, const Watch& watch, Inspection& inspection) {
-  const std::string nothing_ok = why_nothing_ok(inspection.alignment, options);
+  const std::string sensor_wrong = sensor_doubt(inspection);
+  const std::string nothing_ok =
+      sensor_wrong.empty() ? why_nothing_ok(inspection.alignment, options) : sensor_wrong;
+  const double scale_u = inspection.scale ? inspection.scale->scale_u : options.scale_u;
+  const double correction = inspection.scale ? inspection.scale->correction : 0;
   const Drawing drawing = drawing_of(design);
-  MeasuredDrawing measured =
-      measure_dimensions(design, drawing, features, options.rules,
-                         {.scale_u = options.scale_u, .nothing_ok = nothing_ok});
+  MeasuredDrawing measured = measure_dimensions(
+      design, drawing, features, options.rules,
+      {.scale_u = scale_u, .scale_correction = correction, .nothing_ok = nothing_ok});
   check_sizes(design, features, nothing_ok, inspection.parts);
   inspection.dimensions = std::move(measured.dimensions);
   inspection.datum = std::move(measured.datum);
-  inspection.chain =
-      measure_joints(design, drawing, features, options.rules, options.scale_u, watch);
+  inspection.chain = measure_joints(design, drawing, features, options.rules,
+                                    std::hypot(scale_u, correction),  // they are not corrected
+                                    watch);
   // Where a unit was guessed or another pose fits as well, nothing is proposed.
   if (nothing_ok.empty()) inspection.chain.bumps = bumps_for(design, inspection.chain);
   inspection.chain.fit_ups = fit_ups(design, features);
@@ -206,6 +220,13 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     clock.mark("deviation");
     if (inspection.alignment.found)
       features = fit_features(design, options, noise_m, inspection, watch);
+    if (inspection.alignment.found && options.single_frame)
+      inspection.warp = check_warp(scan.points, noise,
+                                   {.warp_u_m = options.warp_u_m,
+                                    .correlated = options.correlated,
+                                    .size_m = design.bounds().diagonal().norm(),
+                                    .seed = options.seed},
+                                   watch);
     clock.mark("measure");
   }
   if (watch.cancelled()) {  // half an inspection says nothing
@@ -223,6 +244,8 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
   judge_missing(design, missing, inspection.parts);
   inspection.findings = collect_findings(inspection.alignment, judging);
   if (inspection.alignment.found) {
+    for (Finding& finding : sensor_findings(design, inspection))
+      inspection.findings.push_back(std::move(finding));
     for (Finding& finding : spool_findings(design, inspection.pieces, inspection.unexpected,
                                            missing, inspection.parts))
       inspection.findings.push_back(std::move(finding));
@@ -231,6 +254,8 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     judge_dimensions(design, inspection.dimensions, inspection.parts, inspection.findings);
   }
   judge_whole(inspection, judging);
+  if (!sensor_doubt(inspection).empty())
+    inspection.status = worse(inspection.status, Verdict::kSuspicious);
   clock.mark("judge");
   inspection.timing_s["total"] = clock.total_s();
   return inspection;

@@ -37,6 +37,7 @@ struct InspectorOptions {
   // What the sensor's calibration says, and how many neighbouring readings are worth one (of a
   // depth image, correlated_readings(); of a cloud, 1).
   double scale_u = 0.005, warp_u_m = 0, correlated = 1;
+  std::vector<Gauge> scale_bars;  // laid beside the spool and measured in this scan
 };
 
 // What is prepared once a design. Shared by threads, immutable.

@@ -1,6 +1,8 @@
 // camera.json and calibration files of ARCHITECTURE, Files, read and written.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "app/common/json_file.h"
 
 namespace spool {
@@ -14,6 +16,13 @@ Result<Calibration> calibration_of(const nlohmann::json& parent, const std::stri
   calibration.date = object.text_or("date", "");
   calibration.scale_u = object.number_or("scale_u", calibration.scale_u);
   calibration.warp_u_m = object.number_or("warp_u_m", calibration.warp_u_m);
+  if (object.has("warp")) {
+    const auto share = object.numbers("warp", DepthWarp::kTerms);
+    if (!object.error()) std::ranges::copy(share, calibration.warp.share.begin());
+    // A fifth of the depth no camera is bent by, and a depth that turns round is none.
+    if (!(calibration.warp.most() < 0.2))
+      object.fail("warp", "bends the picture by a fifth of its depth");
+  }
   // A tenth is already no depth camera; a negative uncertainty is none at all.
   if (calibration.scale_u < 0 || calibration.scale_u > 0.1)
     object.fail("scale_u", "has to lie between 0 and 0.1 (a fraction)");
@@ -72,10 +81,12 @@ Result<Calibration> read_calibration(const std::filesystem::path& path) {
 }
 
 nlohmann::json calibration_to_json(const Calibration& calibration) {
-  return {{"id", calibration.id},
-          {"date", calibration.date},
-          {"scale_u", calibration.scale_u},
-          {"warp_u_m", calibration.warp_u_m}};
+  nlohmann::json json = {{"id", calibration.id},
+                         {"date", calibration.date},
+                         {"scale_u", calibration.scale_u},
+                         {"warp_u_m", calibration.warp_u_m}};
+  if (!calibration.warp.is_flat()) json["warp"] = calibration.warp.share;
+  return json;
 }
 
 nlohmann::json camera_to_json(const Camera& camera) {

@@ -8,6 +8,7 @@
 #include "tools/campaign/hand_motion.h"
 #include "tools/campaign/scene_design.h"
 #include "tools/campaign/scene_room.h"
+#include "vision/core/median.h"
 #include "vision/scan/back_projection.h"
 #include "vision/scan/noise_estimate.h"
 #include "vision/scan/normals.h"
@@ -57,6 +58,19 @@ Result<Scan> frame_scan(const SceneRequest& request, Scene& scene) {
   scan.correlated = correlated_readings(camera, 1);
   scene = std::move(room.scene);
   return scan;
+}
+
+// Depth that is bent by r^2 from the picture's middle to its corners.
+void warp(double corner_m, PointCloud& cloud) {
+  std::vector<float> depths;
+  float most = 0;
+  for (const Eigen::Vector3f& p : cloud.points) {
+    depths.push_back(p.z());
+    most = std::max(most, (p.head<2>() / p.z()).squaredNorm());
+  }
+  const double share = corner_m / static_cast<double>(median(depths));
+  for (Eigen::Vector3f& p : cloud.points)
+    p *= 1 + static_cast<float>(share) * (p.head<2>() / p.z()).squaredNorm() / most;
 }
 
 std::optional<double> truth_of(const Dimension& stated, const BuiltTruth& built) {
@@ -113,7 +127,8 @@ Result<TriedSpool> run_dimensions(const DimensionRow& row, std::uint32_t seed) {
   auto design = prepare_design(scene);
   if (!design) return design.error();
   Random random(seed, kScale);
-  const double scale = 1 + row.scale_u * random.normal();
+  const double scale = 1 + row.scale_error + row.scale_u * random.normal();
+  if (row.corner_warp_m != 0) warp(row.corner_warp_m, scan->cloud);
   // About the camera or, of a cloud, the datum: there the pose stays what it is.
   const Eigen::Vector3f fixed =
       row.single_frame ? Eigen::Vector3f(Eigen::Vector3f::Zero())
@@ -129,7 +144,7 @@ Result<TriedSpool> run_dimensions(const DimensionRow& row, std::uint32_t seed) {
   options.align = AlignMethod::kPose;
   options.T_design_scan = scan->T_design_scan;
   options.single_frame = row.single_frame;
-  options.scale_u = row.scale_u;
+  options.scale_u = row.stated_scale_u.value_or(row.scale_u);
   options.warp_u_m = row.warp_u_m;
   options.correlated = scan->correlated;
   auto inspection = Inspector(*design).process(scan->cloud, scan->noise, options);
@@ -137,6 +152,15 @@ Result<TriedSpool> run_dimensions(const DimensionRow& row, std::uint32_t seed) {
   const BuiltTruth built(scene.as_built);
   TriedSpool tried;
   tried.defects = scene.request.defects;
+  tried.scale = inspection->scale;
+  tried.true_scale = scale;
+  tried.warp = inspection->warp;
+  tried.status = inspection->status;
+  for (const spool::Part& part : (*design)->model.parts) {
+    if (part.kind == spool::PartKind::kPipe)
+      tried.largest_nps = std::max(tried.largest_nps, part.nps);
+    tried.flanges += part.kind == spool::PartKind::kFlange ? 1 : 0;
+  }
   for (const Dimension& dimension : inspection->dimensions)
     tried.dimensions.push_back({dimension, truth_of(dimension, built)});
   for (const PartFinding& part : inspection->parts)

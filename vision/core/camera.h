@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include "vision/core/depth_warp.h"
+
 namespace spool {
 
 // What a gauge check or a calibration found. Without one, scale_u is half a percent (ARCHITECTURE,
@@ -16,6 +18,7 @@ struct Calibration {
   std::string date;        // ISO 8601
   double scale_u = 0.005;  // standard uncertainty of the depth scale, as a fraction
   double warp_u_m = 0.0;   // m, standard uncertainty left at the image corners
+  DepthWarp warp = {};     // taken off the depth in back_project()
 };
 
 // Pinhole without distortion. Camera frame: x right, y down, z forward; pixel centres at integer

@@ -18,6 +18,7 @@
 #include "vision/inspect/deviation.h"
 #include "vision/inspect/dimension.h"
 #include "vision/inspect/joint_error.h"
+#include "vision/inspect/sensor_evidence.h"
 #include "vision/inspect/unexpected.h"
 #include "vision/inspect/verdict.h"
 
@@ -73,6 +74,8 @@ struct Inspection {
   std::vector<Dimension> dimensions;   // of the drawing
   ChainResult chain;                   // joint by joint from the datum, and what to do
   std::string datum;  // what positions are relative to, or why there is nothing; empty: not asked
+  std::optional<ScaleCheck> scale;  // nothing: no piece of known size was measured
+  std::optional<WarpCheck> warp;    // nothing: no plane was looked at
   std::vector<Finding> findings;
   Verdict status = Verdict::kNotMeasured;
   std::string status_reason;  // the first finding, then what was and was not judged

@@ -295,7 +295,9 @@ class Measuring {
     constexpr double kNothing = 1e-9;
     if (std::sqrt(found.fit(0, 0)) < kNothing) return;
     dimension.is_measured = true;
-    dimension.measured = found.value[0];
+    // The features stay as the sensor saw them; of what is measured between them the length is put
+    // right.
+    dimension.measured = found.value[0] / (dimension.is_angle ? 1 : 1 + options_.scale_correction);
     dimension.deviation = dimension.measured - dimension.nominal;
     dimension.u = {std::sqrt(found.fit(0, 0)),
                    dimension.is_angle ? 0 : options_.scale_u * std::abs(dimension.measured),

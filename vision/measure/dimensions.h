@@ -15,8 +15,9 @@
 namespace spool {
 
 struct DimensionOptions {
-  double scale_u = 0.005;  // standard uncertainty of the sensor's scale, a fraction
-  std::string nothing_ok;  // why nothing may be ok whatever is measured; empty: it may
+  double scale_u = 0.005;       // standard uncertainty of the sensor's scale, a fraction
+  double scale_correction = 0;  // lengths are divided by one and this
+  std::string nothing_ok;       // why nothing may be ok whatever is measured; empty: it may
 };
 
 struct MeasuredDrawing {

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/scan/back_projection.h"
 
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -43,15 +44,24 @@ Result<PointCloud> back_project(const DepthFrame& frame, const Camera& camera) {
   for (std::size_t u = 0; u < width; ++u)
     x_per_z[u] = (static_cast<double>(u) - camera.cx) / camera.fx;
 
+  const DepthWarp& warp = camera.calibration.warp;
+  const bool is_bent = !warp.is_flat();
+  assert((!is_bent || warp.most() < 1) && "depth stays in front of the camera");
+
   constexpr std::size_t kRows = 32;  // about 20 000 points a task
   constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
   parallel_chunks(height, kRows, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const double y_per_z = (static_cast<double>(v) - camera.cy) / camera.fy;
+      const auto bend = warp.row(picture_share(static_cast<double>(v), frame.height));
       const std::uint16_t* const counts = frame.depth.data() + v * width;
       Eigen::Vector3f* const points = cloud.points.data() + v * width;
       for (std::size_t u = 0; u < width; ++u) {
-        const double z = counts[u] * camera.depth_unit_m;
+        double z = counts[u] * camera.depth_unit_m;
+        if (is_bent) {
+          const double x = picture_share(static_cast<double>(u), frame.width);
+          z /= 1 + bend[0] + x * (bend[1] + x * (bend[2] + x * (bend[3] + x * bend[4])));
+        }
         const bool seen = counts[u] != 0;
         points[u] = Eigen::Vector3f(seen ? static_cast<float>(x_per_z[u] * z) : kNone,
                                     seen ? static_cast<float>(y_per_z * z) : kNone,

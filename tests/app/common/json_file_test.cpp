@@ -58,6 +58,8 @@ TEST(CameraJson, RoundTripsWithItsCalibration) {
   camera.cy = 240.5;
   camera.depth_unit_m = 0.0001;
   camera.calibration = {"gauge-7", "2024-05-01", 0.0012, 0.0004};
+  for (std::size_t k = 0; k < DepthWarp::kTerms; ++k)
+    camera.calibration.warp.share[k] = 0.001 * (static_cast<double>(k) - 5);
   const TextFile file(json_text(camera_to_json(camera)));
   const auto read = read_camera(file.path());
   ASSERT_TRUE(read) << read.error().message;
@@ -70,6 +72,7 @@ TEST(CameraJson, RoundTripsWithItsCalibration) {
   const auto calibration = read_calibration(file.path());
   ASSERT_TRUE(calibration) << calibration.error().message;
   EXPECT_EQ(calibration->warp_u_m, 0.0004);
+  EXPECT_EQ(calibration->warp.share, camera.calibration.warp.share);
 }
 
 TEST(CameraJson, WithoutCalibrationKeepsHalfAPercent) {
@@ -153,6 +156,20 @@ TEST(CameraJson, RefusesImpossibleIntrinsicsByKey) {
           {"text", CameraText{.width = "\"640\""}.json(), "\"width\" has to be a number"},
           {"calibration", CameraText{.more = R"(, "calibration": {"scale_u": -1})"}.json(),
            "\"calibration.scale_u\" has to lie between"},
+          {"warp too short", CameraText{.more = R"(, "calibration": {"warp": [0, 0, 0]})"}.json(),
+           "\"calibration.warp\" has to be a list of 12 numbers"},
+          {"warp no list", CameraText{.more = R"(, "calibration": {"warp": 0.5})"}.json(),
+           "calibration.warp"},
+          {"warp with text",
+           CameraText{.more = R"(, "calibration": {"warp": [0,0,0,0,0,0,0,0,0,0,0,"x"]})"}.json(),
+           "\"calibration.warp\" has to be a list of 12 numbers"},
+          {"warp turns depth round",
+           CameraText{.more = R"(, "calibration": {"warp": [-1,0,0,0,0,0,0,0,0,0,0,0]})"}.json(),
+           "\"calibration.warp\" bends the picture"},
+          {"warp beyond all numbers",
+           CameraText{.more = R"(, "calibration": {"warp": [1e308,1e308,0,0,0,0,0,0,0,0,0,0]})"}
+               .json(),
+           "\"calibration.warp\" bends the picture"},
       },
       [](const auto& path) { return read_camera(path); });
 }

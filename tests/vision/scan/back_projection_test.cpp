@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "vision/scan/back_projection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -48,6 +49,29 @@ TEST(BackProjection, FollowsThePinholeFormulaInEveryPixel) {
       // Half a unit in the last place of a float near 4 m is 2.4e-7 m.
       ASSERT_LT((point.cast<double>() - exact).cwiseAbs().maxCoeff(), 3e-7) << u << ' ' << v;
     }
+}
+
+// A wall 1 m away, bent by the calibration's own polynomial written out here term by term.
+TEST(BackProjection, TakesTheCalibrationsWarpOffTheDepth) {
+  Camera camera = camera_640();
+  camera.depth_unit_m = 0.00002;  // so that rounding to counts is a hundredth of a millimetre
+  const double c[12] = {0.006,  -0.002, 0.004,   0.003, -0.001, 0.002,
+                        -0.004, 0.002,  -0.0015, 0.001, 0.0005, -0.003};
+  std::ranges::copy(c, camera.calibration.warp.share.begin());
+  DepthFrame frame{.index = 1, .width = camera.width, .height = camera.height};
+  for (int v = 0; v < camera.height; ++v)
+    for (int u = 0; u < camera.width; ++u) {
+      const double x = (u + 0.5 - 320) / 320, y = (v + 0.5 - 240) / 240;
+      const double w = c[0] * x * x + c[1] * x * y + c[2] * y * y + c[3] * x * x * x +
+                       c[4] * x * x * y + c[5] * x * y * y + c[6] * y * y * y +
+                       c[7] * x * x * x * x + c[8] * x * x * x * y + c[9] * x * x * y * y +
+                       c[10] * x * y * y * y + c[11] * y * y * y * y;
+      frame.depth.push_back(static_cast<std::uint16_t>(std::lround(1.0 * (1 + w) / 0.00002)));
+    }
+  const auto cloud = back_project(frame, camera);
+  ASSERT_TRUE(cloud);
+  for (const Eigen::Vector3f& point : cloud->points) ASSERT_NEAR(point.z(), 1, 1.1e-5);
+  EXPECT_NEAR(cloud->points.front().x(), -319.5 / 575.8, 1e-5);
 }
 
 TEST(BackProjection, ProjectsBackOntoItsOwnPixel) {
