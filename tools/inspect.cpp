@@ -18,6 +18,7 @@
 #include "render/egl_context.h"
 #include "tools/inspect_designs.h"
 #include "tools/inspect_options.h"
+#include "tools/sensor_check.h"
 
 namespace spool::tools {
 namespace {
@@ -89,6 +90,7 @@ void print_summary(const evidence::InspectionRecord& record, bool has_pictures,
 Result<int> inspect(const InspectOptions& options) {
   Progress progress;
   if (auto status = check(options); !status) return status.error();
+  if (!options.sensor_check.empty()) return run_sensor_check(options, now_utc());
   auto settings = inspector_options(options);
   if (!settings) return settings.error();
   std::optional<Calibration> calibration;
@@ -100,8 +102,8 @@ Result<int> inspect(const InspectOptions& options) {
   // The scan.
   progress.report("scan", 0);
   const auto scan_start = Clock::now();
-  auto scan =
-      evidence::read_scan(options.scan, parse_length_unit(options.scan_unit), options.frame);
+  auto scan = evidence::read_scan(options.scan, parse_length_unit(options.scan_unit), options.frame,
+                                  calibration);
   if (!scan) return scan.error();
   const double scan_s = seconds_since(scan_start);
   // The main path, for each design that may lie there.

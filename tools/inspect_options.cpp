@@ -36,11 +36,9 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
          "--design", options.designs,
          "Design: .glb .gltf .pcf .stl .obj .ply .pcd .xyz .txt; given several times, the one "
          "that lies there is found")
-      ->required()
       ->type_name("FILE");
   app.add_option("--scan", options.scan,
                  "Scan: a cloud (.ply .pcd .xyz .txt .obj), a depth folder or an .oni recording")
-      ->required()
       ->type_name("PATH");
   app.add_option("--frame", options.frame,
                  "Frame of a recording to use, counted from 0; the first if not given")
@@ -81,6 +79,10 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
       ->type_name("UNITS");
   app.add_option("--calibration", options.calibration, "Calibration of the depth camera")
       ->type_name("FILE");
+  app.add_option("--sensor-check", options.sensor_check,
+                 "In place of design and scan: a depth folder, .oni recording or device that looks "
+                 "at a bare floor or wall; writes sensor.json, which --calibration takes")
+      ->type_name("PATH");
   app.add_option("--seed", options.seed, "Seed of the design's sampling")
       ->capture_default_str()
       ->type_name("N");
@@ -95,6 +97,13 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
 }
 
 Status check(const InspectOptions& options) {
+  if (!options.sensor_check.empty()) {
+    if (!options.designs.empty() || !options.scan.empty())
+      return usage("--sensor-check looks at a bare wall; give it without --design and --scan");
+    return {};
+  }
+  if (options.designs.empty()) return usage("--design is required");
+  if (options.scan.empty()) return usage("--scan is required");
   if (options.designs.size() > 1 && method_text(options) != "find")
     return usage(
         "--design is given " + std::to_string(options.designs.size()) +

@@ -28,6 +28,7 @@ struct InspectOptions {
   std::string design_unit, scan_unit;
   std::string units = "mm";
   std::string calibration;
+  std::string sensor_check;  // a view of a wall in place of design and scan
   std::uint32_t seed = 1;
   std::string out;
 };

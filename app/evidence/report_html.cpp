@@ -44,6 +44,15 @@ std::string verdict_box(const Inspection& inspection) {
          escaped(inspection.status_reason) + "</div></div></div>\n";
 }
 
+// Nothing below is to be believed before this was read.
+std::string sensor_banner(const Inspection& inspection) {
+  std::string html;
+  for (const Finding& finding : inspection.findings)
+    if (finding.kind == "scale" && finding.part.empty())
+      html += "<div class=\"note banner\"><b>" + escaped(finding.text) + "</b></div>\n";
+  return html;
+}
+
 std::string warnings(const InspectionRecord& record) {
   if (record.warnings.empty()) return "";
   std::string html = "<h2>Mind</h2>\n<ul>";
@@ -252,7 +261,23 @@ std::string sources_section(const InspectionRecord& record) {
     const std::string id = record.calibration.id.empty()
                                ? std::string("none")
                                : record.calibration.id + " of " + record.calibration.date;
-    html += row("Calibration", escaped(id + scale));
+    std::string used = id + scale;
+    if (!record.calibration.warp.is_flat()) used += ", its warp is taken off the depth";
+    html += row("Calibration", escaped(used));
+  }
+  if (const auto& check = record.inspection.scale) {
+    char left[160];
+    std::snprintf(left, sizeof left,
+                  "%zu of known size read %+.2f %% ± %.2f %%; lengths are counted uncertain by "
+                  "%.2g %%",
+                  check->gauges.size(), 100 * check->found, 200 * check->found_u,
+                  100 * check->scale_u);
+    std::string text = left;
+    if (check->correction != 0) {
+      std::snprintf(left, sizeof left, " and were corrected by %+.2f %%", -100 * check->correction);
+      text += left;
+    }
+    html += row("Pieces as gauges", escaped(text));
   }
   html += row("Standard", escaped(record.standard));
   std::string datum;
@@ -276,7 +301,8 @@ std::string report_html(const InspectionRecord& record,
   html += "design " + escaped(file_name(model.path)) + " &middot; scan " +
           escaped(file_name(record.scan.file));
   if (!record.created.empty()) html += " &middot; " + escaped(record.created);
-  html += "</p>\n" + verdict_box(record.inspection) + warnings(record);
+  html += "</p>\n" + verdict_box(record.inspection) + sensor_banner(record.inspection) +
+          warnings(record);
   html += dimensions_section(record) +
           joints_section(model, record.inspection.chain, style_of(record)) + parts_section(record) +
           findings_section(record.inspection) +

@@ -150,6 +150,45 @@ json dimensions_json(const std::vector<Dimension>& dimensions) {
   return list;
 }
 
+json scale_check_json(const ScaleCheck& check) {
+  json gauges = json::array();
+  for (const Gauge& gauge : check.gauges)
+    gauges.push_back({{"kind", name(gauge.kind)},
+                      {"part", gauge.part},
+                      {"nominal_m", number(gauge.nominal_m)},
+                      {"measured_m", number(gauge.measured_m)},
+                      {"u_m", number(std::hypot(gauge.u_m, gauge.tolerance_u_m))},
+                      {"range_m", gauge.range_m ? number(*gauge.range_m) : json(nullptr)}});
+  return {{"gauges", gauges},
+          {"found", number(check.found)},
+          {"found_u", number(check.found_u)},
+          {"range_m", check.range_m ? number(*check.range_m) : json(nullptr)},
+          {"a", number(check.a)},
+          {"b_per_m", number(check.b_per_m)},
+          {"correction", number(check.correction)},
+          {"scale_u", number(check.scale_u)},
+          {"statistic", number(check.statistic)},
+          {"limit", number(check.limit)},
+          {"false_alarm", number(check.false_alarm)},
+          {"contradicted", check.is_contradicted}};
+}
+
+json warp_check_json(const WarpCheck& check) {
+  return {{"corner_m", number(check.corner_m)},   {"corner_u_m", number(check.corner_u_m)},
+          {"range_m", number(check.range_m)},     {"statistic", number(check.statistic)},
+          {"limit", number(check.limit)},         {"false_alarm", number(check.false_alarm)},
+          {"contradicted", check.is_contradicted}};
+}
+
+json sensor_json(const InspectionRecord& record) {
+  const Inspection& inspection = record.inspection;
+  json sensor = {{"description", record.sensor},
+                 {"calibration", calibration_to_json(record.calibration)}};
+  if (inspection.scale) sensor["scale_check"] = scale_check_json(*inspection.scale);
+  if (inspection.warp) sensor["warp_check"] = warp_check_json(*inspection.warp);
+  return sensor;
+}
+
 json part_json(const Part& part, const PartFinding& finding) {
   const auto& deviation = finding.deviation;
   const auto measured = [&](double value) {
@@ -224,8 +263,7 @@ std::string report_json(const InspectionRecord& record) {
       {"datum_text", inspection.datum},
       {"warnings", record.warnings},
       {"software", {{"name", "SpoolSight"}, {"version", version()}, {"commit", commit()}}},
-      {"sensor",
-       {{"description", record.sensor}, {"calibration", calibration_to_json(record.calibration)}}},
+      {"sensor", sensor_json(record)},
       {"timing_s", timing}};
   if (!record.created.empty()) report["created"] = record.created;
   return json_text(report);

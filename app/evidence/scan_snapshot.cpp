@@ -80,12 +80,14 @@ double median_range(const PointCloud& cloud) {
   return static_cast<double>(*middle);
 }
 
-Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t number) {
+Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t number,
+                                     const std::optional<Calibration>& known) {
   auto source = sensor::open_source(text, {.speed = 0, .first_frame = number});
   if (!source) return source.error();
   const auto frame = first_frame(**source, text, number);
   if (!frame) return frame.error();
-  const Camera& camera = (*source)->camera();
+  Camera camera = (*source)->camera();
+  if (known) camera.calibration = *known;
   auto organised = back_project(**frame, camera);
   if (!organised) return Error{organised.error().code, text + ": " + organised.error().message};
   ScanSnapshot scan;
@@ -112,7 +114,8 @@ Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t numbe
 }  // namespace
 
 Result<ScanSnapshot> read_scan(const std::string& text, std::optional<LengthUnit> unit,
-                               std::optional<std::int64_t> frame) {
+                               std::optional<std::int64_t> frame,
+                               const std::optional<Calibration>& known) {
   if (is_cloud_file(text)) {
     if (frame)
       return Error{ErrorCode::kUsage, "--frame is for recordings; " + text + " is one cloud"};
@@ -121,7 +124,7 @@ Result<ScanSnapshot> read_scan(const std::string& text, std::optional<LengthUnit
   if (unit)
     return Error{ErrorCode::kUsage,
                  "--scan-unit is for cloud files; " + text + " says the unit of its depth itself"};
-  return read_frame_scan(text, frame.value_or(0));
+  return read_frame_scan(text, frame.value_or(0), known);
 }
 
 }  // namespace spool::evidence

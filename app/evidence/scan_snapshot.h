@@ -32,9 +32,11 @@ struct ScanSnapshot {
 };
 
 // Reads a cloud file, or `frame` of what open_source() takes. `unit` is for cloud files only:
-// kUsage for a recording, whose camera says its own. Errors name the file or device.
+// kUsage for a recording, whose camera says its own. `known`: in place of the camera's own
+// calibration. Errors name the file or device.
 [[nodiscard]] Result<ScanSnapshot> read_scan(const std::string& text,
                                              std::optional<LengthUnit> unit,
-                                             std::optional<std::int64_t> frame);
+                                             std::optional<std::int64_t> frame,
+                                             const std::optional<Calibration>& known = {});
 
 }  // namespace spool::evidence

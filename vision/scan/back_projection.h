@@ -11,9 +11,9 @@
 namespace spool {
 
 // The organised cloud of a frame in the camera frame (m): x = (u - cx) z / fx, y = (v - cy) z / fy,
-// z = count * depth_unit_m with the calibration's warp taken off, NaN in all three where the count is 0. `pixels` is left empty (it would
-// be the index). kBadInput where the frame's size is not the camera's or the intrinsics are not
-// valid.
+// z = count * depth_unit_m with the calibration's warp taken off, NaN in all three where the count
+// is 0. `pixels` is left empty (it would be the index). kBadInput where the frame's size is not the
+// camera's or the intrinsics are not valid.
 [[nodiscard]] Result<PointCloud> back_project(const DepthFrame& frame, const Camera& camera);
 
 // Only the measured points, `pixels` saying which they were.
