@@ -103,6 +103,15 @@ PartFeatures fit_features(const DesignModel& design, const InspectorOptions& opt
   return features;
 }
 
+// What was not taken for the spool: where floor, walls and tables are looked for.
+std::vector<Eigen::Vector3f> beside_the_object(const PointCloud& scan,
+                                               const std::vector<PointClass>& classes) {
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t i = 0; i < scan.size(); ++i)
+    if (classes[i] == PointClass::kClutter) points.push_back(scan.points[i]);
+  return points;
+}
+
 // The drawing's dimensions between them, and what they say of the parts.
 void measure_drawing(const DesignModel& design, const InspectorOptions& options,
                      const PartFeatures& features, const Watch& watch, Inspection& inspection) {
@@ -221,12 +230,10 @@ Result<Inspection> Inspector::process(const PointCloud& scan, const NoiseModel& 
     if (inspection.alignment.found)
       features = fit_features(design, options, noise_m, inspection, watch);
     if (inspection.alignment.found && options.single_frame)
-      inspection.warp = check_warp(scan.points, noise,
-                                   {.warp_u_m = options.warp_u_m,
-                                    .correlated = options.correlated,
-                                    .size_m = design.bounds().diagonal().norm(),
-                                    .seed = options.seed},
-                                   watch);
+      inspection.warp = check_warp(
+          beside_the_object(scan, classes), noise,
+          {.warp_u_m = options.warp_u_m, .correlated = options.correlated, .seed = options.seed},
+          watch);
     clock.mark("measure");
   }
   if (watch.cancelled()) {  // half an inspection says nothing

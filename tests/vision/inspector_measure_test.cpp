@@ -1,7 +1,10 @@
 // The main path on a spool with a drawing: from a scan to verdicts on its dimensions and parts.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
 #include <random>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +75,42 @@ TEST(InspectorMeasures, AGuessedUnitAndAnUncalibratedSensorAreNotOk) {
     const Inspection found = inspected({}, options);
     EXPECT_EQ(found.status, Verdict::kSuspicious);
     EXPECT_EQ(part(found, test::kPipe1).status, Verdict::kSuspicious);
+  }
+}
+
+std::size_t count_of(const Inspection& inspection, const std::string& kind) {
+  return static_cast<std::size_t>(std::ranges::count(inspection.findings, kind, &Finding::kind));
+}
+
+TEST(InspectorMeasures, NothingIsOkWherePiecesOfKnownSizeContradictTheCalibration) {
+  const Inspection honest = inspected({});
+  EXPECT_EQ(count_of(honest, "scale"), 0U);
+  ASSERT_TRUE(honest.scale);
+  EXPECT_EQ(honest.scale->gauges.size(), 4U);  // two pipes, two flanges
+  for (const double error : {0.015, -0.015}) {
+    const Inspection found = inspected({.scale = 1 + error});
+    ASSERT_TRUE(found.scale);
+    EXPECT_TRUE(found.scale->is_contradicted) << found.scale->statistic;
+    EXPECT_NEAR(found.scale->found, error, 3 * found.scale->found_u);
+    EXPECT_EQ(count_of(found, "scale"), 1U);
+    EXPECT_NE(found.status, Verdict::kOk);
+    for (const Dimension& dimension : found.dimensions)
+      EXPECT_NE(dimension.status, Verdict::kOk) << dimension.name;
+    for (const PartFinding& each : found.parts) EXPECT_NE(each.status, Verdict::kOk);
+  }
+}
+
+// A pipe fit whose radius is held, or narrowed, would say one of any sensor.
+TEST(InspectorMeasures, TheScaleOfASensorWithoutCalibrationIsNarrowedAndPutRight) {
+  const Inspection found = inspected({.scale = 1.012}, InspectorOptions{});
+  ASSERT_TRUE(found.scale);
+  EXPECT_FALSE(found.scale->is_contradicted);
+  EXPECT_GT(found.scale->correction, 0.005);
+  EXPECT_LT(found.scale->scale_u, 0.004);
+  for (const Dimension& dimension : found.dimensions) {
+    if (!dimension.is_measured || dimension.is_angle) continue;
+    EXPECT_LT(std::abs(dimension.deviation), 2 * dimension.u.total()) << dimension.name;
+    EXPECT_LT(dimension.u.scale, 0.005 * std::abs(dimension.measured)) << dimension.name;
   }
 }
 

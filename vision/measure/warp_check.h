@@ -17,7 +17,9 @@ namespace spool {
 struct WarpCheckOptions {
   double warp_u_m = 0;    // of the calibration, at the picture's corners
   double correlated = 1;  // readings that are worth one
-  double size_m = 1;      // of the design: planes that are larger are floor, wall or table
+  // Planes of that length and half as wide are floor, wall, table top or plate: a third of the
+  // picture at a metre, so that their bend shows.
+  double size_m = 0.5;
   std::uint32_t seed = 1;
 };
 
