@@ -108,7 +108,7 @@ TEST_F(SensorCheckTool, RefusesWhatIsNoWall) {
   };
   const std::vector<Case> cases = {
       {"a step", {"--sensor-check", at("step")}, 65, "bare floor or wall"},
-      {"nothing there", {"--sensor-check", at("no")}, 65, "no"},
+      {"nothing there", {"--sensor-check", at("no")}, 64, "is no source"},
       {"a design too", {"--sensor-check", at("step"), "--design", "d.glb"}, 64, "--sensor-check"},
       {"no design", {"--scan", at("step")}, 64, "--design is required"},
       {"no scan", {"--design", "d.glb"}, 64, "--scan is required"},

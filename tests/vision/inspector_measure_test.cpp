@@ -69,13 +69,10 @@ TEST(InspectorMeasures, APipeCutTooLongIsNotOkWithAFinding) {
   EXPECT_EQ(misplaced(inspected(built, {.rules = iso_13920('D', 'F'), .scale_u = 0.0002})), "");
 }
 
-TEST(InspectorMeasures, AGuessedUnitAndAnUncalibratedSensorAreNotOk) {
-  for (const InspectorOptions& options :
-       {InspectorOptions{.units_confirmed = false, .scale_u = 0.0002}, InspectorOptions{}}) {
-    const Inspection found = inspected({}, options);
-    EXPECT_EQ(found.status, Verdict::kSuspicious);
-    EXPECT_EQ(part(found, test::kPipe1).status, Verdict::kSuspicious);
-  }
+TEST(InspectorMeasures, AGuessedUnitIsNotOk) {
+  const Inspection found = inspected({}, {.units_confirmed = false, .scale_u = 0.0002});
+  EXPECT_EQ(found.status, Verdict::kSuspicious);
+  EXPECT_EQ(part(found, test::kPipe1).status, Verdict::kSuspicious);
 }
 
 std::size_t count_of(const Inspection& inspection, const std::string& kind) {
