@@ -36,6 +36,12 @@ HandMotion::Shape HandMotion::drawn(const Eigen::AlignedBox3d& object, double li
     shape.azimuth = random.uniform(0, kTurn);
     shape.azimuth_swing = random.uniform(0.5, 1.0);
     shape.along *= 0.4;
+  } else if (settings_.way == Way::kAround) {
+    // Where the way begins the camera stands beyond the near end.
+    const Vector3d out = -shape.along;
+    shape.azimuth = std::atan2(out.y(), out.x());
+    shape.azimuth_swing = random.chance(0.5) ? 1 : -1;  // which way round
+    shape.distance_swing *= 0.4;
   } else {
     const double across = longer_in_x ? kTurn / 4 : 0;
     shape.azimuth = across + (random.chance(0.5) ? kTurn / 2 : 0);
@@ -47,11 +53,12 @@ HandMotion::Shape HandMotion::drawn(const Eigen::AlignedBox3d& object, double li
 
 Pose HandMotion::on_way(const Shape& shape, double share) const {
   const double a = kTurn * share;
-  const double azimuth = shape.azimuth + shape.azimuth_swing * std::sin(a);
+  const bool goes_round = settings_.way == Way::kAround;
+  const double azimuth = shape.azimuth + shape.azimuth_swing * (goes_round ? a : std::sin(a));
   const double elevation =
       std::min(1.4, shape.elevation + shape.elevation_swing * std::sin(2 * a + shape.phase[0]));
   const double distance = shape.distance + shape.distance_swing * std::sin(a + shape.phase[1]);
-  const double along = settings_.way == Way::kAlong ? -std::cos(a) : std::sin(a + shape.phase[2]);
+  const double along = settings_.way == Way::kRound ? std::sin(a + shape.phase[2]) : -std::cos(a);
   const Vector3d target = shape.middle + along * shape.along;
   const Vector3d out(std::cos(elevation) * std::cos(azimuth),
                      std::cos(elevation) * std::sin(azimuth), std::sin(elevation));

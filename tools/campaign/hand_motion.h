@@ -13,7 +13,8 @@ namespace spool::campaign {
 
 enum class Way {
   kRound,  // swings about the object's middle, nearer and farther
-  kAlong   // from end to end of the object and back
+  kAlong,  // from end to end of the object and back
+  kAround  // along one side of the object, round its end and back along the other side
 };
 
 struct HandSettings {
@@ -35,7 +36,7 @@ class HandMotion {
 
   // Where the camera is after so many seconds.
   [[nodiscard]] Pose T_scan_camera(double seconds) const;
-  // Time (s) for the whole way; of kAlong, half of it is the far end.
+  // Time (s) for the whole way; of kAlong and kAround, half of it is the far end.
   [[nodiscard]] double period_s() const { return when_.back(); }
 
  private:

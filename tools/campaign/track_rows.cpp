@@ -13,6 +13,8 @@ std::vector<TrackRow> track_rows() {
   HandSettings along;
   along.way = Way::kAlong;
   along.speed_m_s = 0.25;
+  HandSettings around = along;
+  around.way = Way::kAround;
   HandSettings still;
   still.tremor_m = 0;
   still.tremor_rad = 0;
@@ -23,6 +25,8 @@ std::vector<TrackRow> track_rows() {
   rows.push_back({.name = "brisk 3 m", .kind = ObjectKind::kPipeSpool3m, .hand = brisk});
   rows.push_back(
       {.name = "walk 3 m", .kind = ObjectKind::kPipeSpool3m, .hand = along, .seconds = 0});
+  rows.push_back(
+      {.name = "round 3 m", .kind = ObjectKind::kPipeSpool3m, .hand = around, .seconds = 0});
   rows.push_back(
       {.name = "covered", .hand = brisk, .seconds = 7, .covered_from_s = 4, .covered_to_s = 5});
   rows.push_back({.name = "jump", .hand = brisk, .seconds = 7, .jump_at_s = 5, .jump_back_s = 3.5});

@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
-
-#include "vision/align/map_matcher.h"
 
 namespace spool {
 namespace {
@@ -49,7 +48,7 @@ void judge(const FrameSamples& frame, const MapView& view, const Eigen::MatrixXd
   fit.agrees = vouching.agrees;
   fit.contradicts = vouching.contradicts;
   fit.in_front = vouching.in_front;
-  fit.drift = vouching.drift;
+  fit.shares = std::move(vouching.shares);
   // A wrong pose has surfaces behind the expected ones as often as before them; a hand or a hook is
   // before them only. So what is in front counts for no more than what is behind.
   const double front = (1.0 + static_cast<double>(vouching.contradicts)) /
@@ -102,9 +101,10 @@ void judge(const FrameSamples& frame, const MapView& view, const Eigen::MatrixXd
 
 }  // namespace
 
-MapViews MapViews::from(const ScanMap& map, const Camera& camera, const Pose& T_map_view) {
-  return {MapView(map, with_margin(camera, kFineWidth), T_map_view),
-          MapView(map, with_margin(camera, kCoarseWidth), T_map_view)};
+MapViews MapViews::from(const ScanMap& map, const Camera& camera, const Pose& T_map_view,
+                        const std::vector<bool>& of) {
+  return {MapView(map, with_margin(camera, kFineWidth), T_map_view, of),
+          MapView(map, with_margin(camera, kCoarseWidth), T_map_view, of)};
 }
 
 double guess_cost(const FrameSamples& frame, const MapView& view, const Pose& T_map_camera) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "vision/align/frame_samples.h"
+#include "vision/align/map_matcher.h"
 #include "vision/align/weak_directions.h"
 #include "vision/core/pose.h"
 #include "vision/scan/map_view.h"
@@ -18,9 +19,9 @@ namespace spool {
 struct MapViews {
   MapView fine, coarse;
 
-  // As the frame's camera would see it from there.
+  // As the frame's camera would see it from there, or of some keyframes (MapView).
   [[nodiscard]] static MapViews from(const ScanMap& map, const Camera& camera,
-                                     const Pose& T_map_view);
+                                     const Pose& T_map_view, const std::vector<bool>& of = {});
 };
 
 struct MapFit {
@@ -33,7 +34,7 @@ struct MapFit {
   // Of the samples that would see a motion of the camera, the share that agrees with its place, of
   // the held motion where that is least; and what it may be, by chance of so many samples.
   double share = 0, share_low = 0, share_high = 0;
-  Drift drift = {};   // of the map that it was fitted to, not in the covariance
+  std::vector<KeyframeShare> shares = {};  // what pieces of the map it was fitted to
   double spread = 0;  // RMS of the agreeing residuals over their standard deviations; about 1
 };
 

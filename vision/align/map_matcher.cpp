@@ -119,7 +119,7 @@ Vouching vouch_for(const FrameSamples& frame, const MapView& view, const Pose& T
   Vouching all;
   all.matches.resize(frame.samples.size());
   all.says.assign(frame.samples.size(), Vouch::kUnknown);
-  std::vector<Drift> drifts(frame.samples.size());
+  std::vector<KeyframeId> keyframes(frame.samples.size());
   parallel_chunks(all.matches.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const FrameSample& sample = frame.samples[i];
@@ -132,7 +132,7 @@ Vouching vouch_for(const FrameSamples& frame, const MapView& view, const Pose& T
         all.matches[i].weight = 1;
         if (off * off < kSigmas * kSigmas * variance) {
           all.says[i] = Vouch::kAgrees;
-          drifts[i] = found.facet->drift;
+          keyframes[i] = found.facet->keyframe;
           continue;
         }
         all.says[i] = off > 0 ? Vouch::kInFront : Vouch::kContradicts;
@@ -153,18 +153,18 @@ Vouching vouch_for(const FrameSamples& frame, const MapView& view, const Pose& T
           found.point.z() < found.expected->point.z() ? Vouch::kInFront : Vouch::kContradicts;
     }
   });
-  double place = 0, turn = 0;
+  std::vector<std::size_t> counts;
   for (std::size_t i = 0; i < all.says.size(); ++i) {
-    place += double{drifts[i].place};
-    turn += double{drifts[i].turn};
+    if (all.says[i] == Vouch::kAgrees) {
+      if (counts.size() <= keyframes[i]) counts.resize(keyframes[i] + std::size_t{1});
+      ++counts[keyframes[i]];
+    }
     all.agrees += all.says[i] == Vouch::kAgrees ? 1U : 0U;
     all.contradicts += all.says[i] == Vouch::kContradicts ? 1U : 0U;
     all.in_front += all.says[i] == Vouch::kInFront ? 1U : 0U;
   }
-  if (all.agrees > 0) {
-    const auto count = static_cast<double>(all.agrees);
-    all.drift = {static_cast<float>(place / count), static_cast<float>(turn / count)};
-  }
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    if (counts[k] > 0) all.shares.push_back({static_cast<KeyframeId>(k), counts[k]});
   return all;
 }
 

@@ -31,6 +31,12 @@ struct MatchReach {
                                                         const Pose& T_map_camera,
                                                         const MatchReach& reach);
 
+// How many samples lie on cells of a keyframe.
+struct KeyframeShare {
+  KeyframeId keyframe = 0;
+  std::size_t samples = 0;
+};
+
 enum class Vouch : std::uint8_t {
   kUnknown,      // the map knows nothing there
   kAgrees,       // within three standard deviations of the surface that is expected
@@ -43,7 +49,7 @@ enum class Vouch : std::uint8_t {
 struct Vouching {
   std::vector<Correspondence> matches = {};
   std::vector<Vouch> says = {};
-  Drift drift = {};  // mean of the facets that are agreed with
+  std::vector<KeyframeShare> shares = {};  // of those that agree, by number of the keyframe
   std::size_t agrees = 0, contradicts = 0, in_front = 0;
 };
 [[nodiscard]] Vouching vouch_for(const FrameSamples& frame, const MapView& view,

@@ -10,6 +10,8 @@
 #include <Eigen/LU>
 
 #include "vision/align/frame_samples.h"
+#include "vision/align/keyframes.h"
+#include "vision/align/loop_closure.h"
 #include "vision/align/map_fit.h"
 #include "vision/align/motion_prediction.h"
 #include "vision/align/stored_views.h"
@@ -46,20 +48,14 @@ std::optional<Matrix6d> own_covariance(const FrameSamples& frame) {
   return motion_covariance(equations, motions, frame.variance * frame.correlated);
 }
 
-// A new piece of the map is off by what the map was off by where the frame was fitted to it, and by
-// what the frame was off by itself. Variances along one axis.
-Drift added(const Drift& drift, const Matrix6d& covariance) {
-  return {drift.place + static_cast<float>(covariance.topLeftCorner<3, 3>().trace() / 3),
-          drift.turn + static_cast<float>(covariance.bottomRightCorner<3, 3>().trace() / 3)};
-}
-
 }  // namespace
 
 std::optional<Error> validate(const TrackerOptions& options) {
   if (auto wrong = validate(options.map)) return wrong;
   const bool good = options.samples > 0 && options.good_m > 0 && options.good_rad > 0 &&
-                    options.confirmations >= 0 && options.searches_per_frame > 0 &&
-                    options.most_gap_s > 0;
+                    options.most_keyframes >= 2 && options.most_keyframes <= 65'535 &&
+                    options.frames_a_loop > 0 && options.confirmations >= 0 &&
+                    options.searches_per_frame > 0 && options.most_gap_s > 0;
   if (good) return std::nullopt;
   return Error{ErrorCode::kUsage, "tracker options: counts, lengths and times must be positive"};
 }
@@ -85,12 +81,16 @@ struct Tracker::Impl {
   double clock_s = 0;                      // our own: never goes back
   std::optional<double> frame_s;           // the source's, of the last frame
   bool is_lost = true;
-  Drift map_drift = {};      // of the map where the frame now tracked was fitted to it
-  bool may_fuse = false;     // the frame now tracked
+  Keyframes keyframes;
+  std::vector<KeyframeShare> shares = {};  // of the map that the frame now tracked was fitted to
+  std::optional<PoseEdge> measured_loop = {};  // in the last frame
+  int frames_since_loop = 0;                   // was looked for
+  bool may_fuse = false;                       // the frame now tracked
   int unconfirmed = 0;       // frames that a pose found anew still has to be borne out by
   std::size_t searches = 0;  // since it was lost
 
-  explicit Impl(const TrackerOptions& with) : options(with), map(with.map) {}
+  explicit Impl(const TrackerOptions& with)
+      : options(with), map(with.map), keyframes(with.most_keyframes) {}
 
   double advance(double seconds);
   void start(const SeenFrame& frame, const FrameSamples& samples, TrackedPose& tracked);
@@ -100,7 +100,10 @@ struct Tracker::Impl {
   void take_over(const MapFit& fit, double passed_s, TrackedPose& tracked);
   void grade(const MapFit& fit, TrackedPose& tracked);
   void state_drift(TrackedPose& tracked) const;
-  void fuse(const SeenFrame& frame, const Drift& drift, TrackedPose& tracked);
+  void fuse(const SeenFrame& frame, TrackedPose& tracked);
+  void close_measured_loop(TrackedPose& tracked);
+  void look_for_loop(const SeenFrame& frame, const FrameSamples& samples, const MapView& view,
+                     TrackedPose& tracked);
 };
 
 Tracker::Tracker(const TrackerOptions& options) : impl_(std::make_unique<Impl>(options)) {
@@ -137,13 +140,15 @@ void Tracker::Impl::start(const SeenFrame& frame, const FrameSamples& samples,
   tracked.covariance.setZero();  // the map frame is this camera's
   tracked.quality = PoseQuality::kGood;
   tracked.score = 1;
-  fuse(frame, added({}, *own), tracked);
+  keyframes.start(*own);
+  shares = {{0, 1}};
+  fuse(frame, tracked);
 }
 
 // Good, poor or lost by what the fit says of itself.
 void Tracker::Impl::grade(const MapFit& fit, TrackedPose& tracked) {
   may_fuse = false;
-  map_drift = fit.drift;
+  shares = fit.shares;
   tracked.score = fit.share;
   tracked.weak_directions = fit.weak_directions;
   if (fit.share_high < kMajority) {
@@ -196,6 +201,29 @@ void Tracker::Impl::follow(const SeenFrame& frame, const FrameSamples& samples, 
   }
   take_over(fit, passed_s, tracked);
   grade(fit, tracked);
+  if (may_fuse && unconfirmed == 0) look_for_loop(frame, samples, from_last.fine, tracked);
+}
+
+// The map as it is drawn for the fit does for asking which pieces of it are in view. What was
+// measured is put into the graph with the next frame: not all in the time of one.
+void Tracker::Impl::look_for_loop(const SeenFrame& frame, const FrameSamples& samples,
+                                  const MapView& view, TrackedPose& tracked) {
+  if (++frames_since_loop < options.frames_a_loop) return;
+  frames_since_loop = 0;
+  const auto candidate = find_loop(view, keyframes, tracked.T_map_camera, tracked.covariance);
+  if (!candidate) return;
+  measured_loop =
+      measure_loop(samples, frame.camera, *candidate, map, keyframes, tracked.T_map_camera);
+  if (measured_loop) tracked.loop = LoopOutcome::kMeasured;
+}
+
+void Tracker::Impl::close_measured_loop(TrackedPose& tracked) {
+  if (!measured_loop) return;
+  tracked.map_motions = close_loop(*measured_loop, keyframes, map);
+  measured_loop.reset();
+  tracked.loop = tracked.map_motions.empty() ? LoopOutcome::kRefused : LoopOutcome::kClosed;
+  if (tracked.loop == LoopOutcome::kClosed)
+    motion.correct(tracked.map_motions[keyframes.current()] * motion.last());
 }
 
 void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,
@@ -233,13 +261,13 @@ void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,
 
 // Adds what the map itself is off by to the covariance that is given out.
 void Tracker::Impl::state_drift(TrackedPose& tracked) const {
-  tracked.covariance.topLeftCorner<3, 3>().diagonal().array() += double{map_drift.place};
-  tracked.covariance.bottomRightCorner<3, 3>().diagonal().array() += double{map_drift.turn};
+  tracked.covariance += keyframes.covariance_at(tracked.T_map_camera, shares);
 }
 
-void Tracker::Impl::fuse(const SeenFrame& frame, const Drift& drift, TrackedPose& tracked) {
+void Tracker::Impl::fuse(const SeenFrame& frame, TrackedPose& tracked) {
+  const KeyframeId keyframe = keyframes.hang(tracked.T_map_camera, shares, tracked.covariance, map);
   SeenFrame timed{frame.cloud, frame.camera, frame.noise, clock_s};
-  tracked.fused = map.fuse(timed, tracked.T_map_camera, drift);
+  tracked.fused = map.fuse(timed, tracked.T_map_camera, keyframe);
   views.offer(frame, tracked.T_map_camera);
 }
 
@@ -247,7 +275,9 @@ TrackedPose Tracker::track(const SeenFrame& frame) {
   Impl& self = *impl_;
   TrackedPose tracked;
   StageClock clock(tracked.timing_s);
+  self.close_measured_loop(tracked);
   if (self.motion.is_known()) tracked.T_map_camera = self.motion.last();
+  clock.mark("close");
   const double passed_s = self.advance(frame.seconds);
   if (!frame.is_usable()) {
     tracked.reason = "The camera's picture cannot be used: check its calibration.";
@@ -288,8 +318,8 @@ TrackedPose Tracker::track(const SeenFrame& frame) {
     tracked.quality = PoseQuality::kPoor;
     tracked.reason = "Found again: hold still for a moment.";
     --self.unconfirmed;
-  } else if (self.unconfirmed == 0 && self.may_fuse) {
-    self.fuse(frame, added(self.map_drift, tracked.covariance), tracked);
+  } else if (self.unconfirmed == 0 && self.may_fuse && !self.measured_loop) {
+    self.fuse(frame, tracked);
   }
   self.state_drift(tracked);
   clock.mark("fuse");
@@ -308,7 +338,8 @@ void Tracker::tell(const SeenFrame& frame, const Pose& T_map_camera, const Matri
   if (self.unconfirmed > 0) return;
   TrackedPose told;
   told.T_map_camera = T_map_camera;
-  self.fuse(frame, added(self.map_drift, covariance), told);
+  told.covariance = covariance;
+  if (!self.measured_loop) self.fuse(frame, told);
 }
 
 }  // namespace spool

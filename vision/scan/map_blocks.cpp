@@ -114,6 +114,32 @@ void MapBlocks::shrink_to(std::size_t most) {
   }
 }
 
+void MapBlocks::move(std::span<const Pose> motions) {
+  std::vector<MapCell> cells;
+  cells.reserve(cell_count_);
+  for (const MapBlock& block : blocks_)
+    cells.insert(cells.end(), block.cells.begin(), block.cells.end());
+  std::stable_sort(cells.begin(), cells.end(),
+                   [](const MapCell& a, const MapCell& b) { return a.count > b.count; });
+  std::vector<Eigen::Isometry3f> moves;
+  moves.reserve(motions.size());
+  for (const Pose& motion : motions) moves.push_back(motion.cast<float>());
+  clear();
+  for (MapCell& cell : cells) {
+    const Eigen::Isometry3f& by = moves[cell.keyframe];
+    cell.mean = by * cell.mean;
+    cell.normal = (by.linear() * cell.normal).normalized();
+    cell.covariance = by.linear() * cell.covariance * by.linear().transpose();
+    add(cell, std::ilogb(1.01F * cell.size / cell_m_));
+  }
+}
+
+void MapBlocks::rehang(KeyframeId from, KeyframeId to) {
+  for (MapBlock& block : blocks_)
+    for (MapCell& cell : block.cells)
+      if (cell.keyframe == from) cell.keyframe = to;
+}
+
 void MapBlocks::clear() {
   blocks_.clear();
   free_.clear();

@@ -5,20 +5,20 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "vision/core/pose.h"
+
 namespace spool {
 
-// How far off the camera was, as a whole, when a piece of the map was made: what later frames
-// cannot see from that piece. Variances along one axis.
-struct Drift {
-  float place = 0;  // m^2
-  float turn = 0;   // rad^2
-};
+// The camera's place that a piece of the map was made from: by its number. What the whole piece is
+// off by is that place's, which later frames cannot see from the piece.
+using KeyframeId = std::uint16_t;
 
 // A piece of surface as large as its voxel: what all frames that saw it say of it.
 struct MapCell {
@@ -30,9 +30,9 @@ struct MapCell {
   float weight = 0;   // 1/m^2: one over the variance of the mean along the normal
   float bias = 0;     // recent residuals' mean, in standard deviations
   float against = 0;  // frames that looked through it, forgotten by halves where it is seen again
-  Drift drift = {};   // of the frame that made it
-  double seen_s = 0;  // when it was last seen
-  std::int16_t next = -1;  // in the same voxel: the other side of a thin wall
+  KeyframeId keyframe = 0;  // that it moves with
+  double seen_s = 0;        // when it was last seen
+  std::int16_t next = -1;   // in the same voxel: the other side of a thin wall
 
   [[nodiscard]] float variance() const { return 1.0F / weight; }  // m^2, along the normal
 };
@@ -78,6 +78,11 @@ class MapBlocks {
   void sweep();
   // Frees those that were out of view longest until at most `most` cells are left.
   void shrink_to(std::size_t most);
+  // Moves each cell with its keyframe, by `motions[keyframe]` in the map frame, and finds its voxel
+  // anew; of two that come to lie in one voxel and look the same way the one seen oftener stays.
+  void move(std::span<const Pose> motions);
+  // Cells of keyframe `from` hang on `to` now, and stay where they are.
+  void rehang(KeyframeId from, KeyframeId to);
   void clear();
 
  private:

@@ -49,7 +49,8 @@ Camera with_margin(const Camera& camera, int width) {
   return wide;
 }
 
-MapView::MapView(const ScanMap& map, const Camera& camera, const Pose& T_map_view)
+MapView::MapView(const ScanMap& map, const Camera& camera, const Pose& T_map_view,
+                 const std::vector<bool>& of)
     : camera_(camera),
       T_map_view_(T_map_view),
       facets_(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height)) {
@@ -82,6 +83,7 @@ MapView::MapView(const ScanMap& map, const Camera& camera, const Pose& T_map_vie
       for (std::size_t c = 0; c < block.cells.size(); ++c) {
         const MapCell& cell = block.cells[c];
         if (!map.is_settled(cell)) continue;
+        if (!of.empty() && (cell.keyframe >= of.size() || !of[cell.keyframe])) continue;
         const Eigen::Vector3f to_cell = cell.mean - eye;
         const Eigen::Vector3f point = R * to_cell;
         if (!(point.z() > kNearest)) continue;
@@ -100,7 +102,8 @@ MapView::MapView(const ScanMap& map, const Camera& camera, const Pose& T_map_vie
     const std::uint64_t place = key & ((std::uint64_t{1} << 46) - 1);
     const MapCell& cell =
         blocks[place >> kCellBits].cells[place & ((std::uint64_t{1} << kCellBits) - 1)];
-    facets_[i] = {R * (cell.mean - eye), R * cell.normal, cell.variance(), cell.size, cell.drift};
+    facets_[i] = {R * (cell.mean - eye), R * cell.normal, cell.variance(), cell.size,
+                  cell.keyframe};
     ++facet_count_;
   }
 }

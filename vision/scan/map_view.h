@@ -20,7 +20,7 @@ struct MapFacet {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // unit
   float variance = 0;                                // m^2, of the cell's mean along the normal
   float size = 0;                                    // m, its voxel; 0: no facet at this pixel
-  Drift drift = {};                                  // of the frame that made the cell
+  KeyframeId keyframe = 0;                           // that the cell moves with
 };
 
 // The settled cells that look at the camera, the nearest of each pixel; of those as near within
@@ -29,7 +29,9 @@ struct MapFacet {
 class MapView {
  public:
   // `camera` may be smaller than the sensor's and look farther aside (with_margin()).
-  MapView(const ScanMap& map, const Camera& camera, const Pose& T_map_view);
+  // `of`: by keyframe, whether its cells are looked at (those past its end are not); empty: all.
+  MapView(const ScanMap& map, const Camera& camera, const Pose& T_map_view,
+          const std::vector<bool>& of = {});
 
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] const Pose& T_map_view() const { return T_map_view_; }

@@ -128,7 +128,7 @@ struct ScanMap::Look {
         t_map_camera(T_map_camera.translation().cast<float>()) {}
 };
 
-FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, const Drift& drift) {
+FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, KeyframeId keyframe) {
   assert(frame.is_usable() && "an organised cloud with normals and its camera");
   FuseReport report;
   ++frames_;
@@ -147,7 +147,7 @@ FuseReport ScanMap::fuse(const SeenFrame& frame, const Pose& T_map_camera, const
   }
   correct_cells(look, report);
   drop_faded(look, report);
-  start_cells(look, drift, report);
+  start_cells(look, keyframe, report);
   blocks_.shrink_to(options_.most_cells);
   if (report.removed > 0) blocks_.sweep();
   return report;
@@ -212,7 +212,7 @@ void ScanMap::drop_faded(const Look& look, FuseReport& report) {
 }
 
 // New cells where the map explains nothing: a few pixels of each, others every frame.
-void ScanMap::start_cells(const Look& look, const Drift& drift, FuseReport& report) {
+void ScanMap::start_cells(const Look& look, KeyframeId keyframe, FuseReport& report) {
   const SeenFrame& frame = look.frame;
   const int stride = std::max(1, frame.camera.width / 160);
   const int start = static_cast<int>(frames_ % static_cast<std::size_t>(stride));
@@ -231,10 +231,15 @@ void ScanMap::start_cells(const Look& look, const Drift& drift, FuseReport& repo
       cell.weight = 1.0F / variance;
       cell.covariance = variance * cell.normal * cell.normal.transpose();
       cell.count = 1;
-      cell.drift = drift;
+      cell.keyframe = keyframe;
       cell.seen_s = frame.seconds;
       report.added += blocks_.add(cell, look.levels.at(point.z())) ? 1U : 0U;
     }
+}
+
+void ScanMap::move(std::span<const Pose> motions) {
+  blocks_.move(motions);
+  T_map_anchor_.reset();
 }
 
 PointCloud ScanMap::cloud() const {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "vision/core/point_cloud.h"
 #include "vision/core/pose.h"
@@ -46,9 +47,13 @@ class ScanMap {
  public:
   explicit ScanMap(const ScanMapOptions& options = {});
 
-  // Takes in a frame whose pose is known up to `drift`, which the cells that it starts remember.
+  // Takes in a frame; the cells that it starts move with `keyframe` from then on (move()).
   // `frame` must be usable; its seconds must not go back.
-  FuseReport fuse(const SeenFrame& frame, const Pose& T_map_camera, const Drift& drift = {});
+  FuseReport fuse(const SeenFrame& frame, const Pose& T_map_camera, KeyframeId keyframe = 0);
+  // Where a loop was closed: each keyframe's cells move by `motions[keyframe]`, in the map frame.
+  void move(std::span<const Pose> motions);
+  // Cells of keyframe `from` hang on `to` now, and stay where they are.
+  void rehang(KeyframeId from, KeyframeId to) { blocks_.rehang(from, to); }
 
   [[nodiscard]] bool empty() const { return blocks_.cell_count() == 0; }
   [[nodiscard]] std::size_t size() const { return blocks_.cell_count(); }
@@ -68,7 +73,7 @@ class ScanMap {
   struct Look;  // what one frame is read by
   void correct_cells(Look& look, FuseReport& report);
   void drop_faded(const Look& look, FuseReport& report);
-  void start_cells(const Look& look, const Drift& drift, FuseReport& report);
+  void start_cells(const Look& look, KeyframeId keyframe, FuseReport& report);
 
   ScanMapOptions options_;
   MapBlocks blocks_;
