@@ -21,8 +21,13 @@ Matrix6d in_axes_of(const Eigen::Matrix3d& R_map_camera, const Matrix6d& covaria
   return turn * covariance * turn.transpose();
 }
 
+Matrix6d step_covariance(const Matrix6d& covariance) {
+  constexpr double kTogether = 2;  // standard deviations of one fit
+  return (1 + kTogether * kTogether) * covariance;
+}
+
 void Keyframes::start(const Matrix6d& covariance) {
-  graph_.emplace(Pose::Identity(), covariance);
+  graph_.emplace(Pose::Identity(), step_covariance(covariance));
   current_ = 0;
 }
 
@@ -80,7 +85,7 @@ KeyframeId Keyframes::hang(const Pose& T_map_camera, std::span<const KeyframeSha
   }
   const std::size_t made =
       graph_->add(parent, graph_->T_map_keyframe(parent).inverse() * T_map_camera,
-                  in_axes_of(T_map_camera.linear(), covariance));
+                  in_axes_of(T_map_camera.linear(), step_covariance(covariance)));
   current_ = made;
   make_room(map);
   return static_cast<KeyframeId>(current_);

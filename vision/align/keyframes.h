@@ -30,6 +30,7 @@ class Keyframes {
 
   // The one that the newest cells hang on.
   [[nodiscard]] std::size_t current() const { return current_; }
+  void set_current(std::size_t keyframe) { current_ = keyframe; }
 
   // The first frame of a map, whose frame is its camera's. Covariances here are of a small motion
   // about the camera in the axes of the map (as TrackedPose has them).
@@ -55,6 +56,13 @@ class Keyframes {
   std::optional<PoseGraph> graph_;
   std::size_t current_ = 0;
 };
+
+// What a new piece of the map is off by, against what its frame was fitted to, where that frame's
+// fit has `covariance`: random errors average out over the frames that follow, but what all of them
+// err by together gets into the map. Estimated, not derived: a map that a parked camera of
+// spoolsight-track-campaign (seeds 1 and 2) builds ends up two standard deviations of one fit from
+// where its first frame was, while the fits themselves scatter as they say.
+[[nodiscard]] Matrix6d step_covariance(const Matrix6d& covariance);
 
 // Turns a covariance about a camera from the axes of the map into the camera's own, or back with
 // the inverse.

@@ -13,7 +13,7 @@ namespace spool {
 namespace {
 
 constexpr double kMajority = 0.5;
-constexpr double kWorth = 9;          // variances: what is known three times worse than a fit tells
+constexpr double kWorth = 25;         // variances: what is known five times worse than a fit tells
 constexpr std::size_t kFewest = 300;  // facets of the view: a hundredth of it
 
 // How many times the variance `own` the variance `other` is, in the motion where it is most.
@@ -47,7 +47,7 @@ std::optional<LoopCandidate> find_loop(const MapView& view, const Keyframes& key
   LoopCandidate candidate;
   candidate.new_keyframe = keyframes.current();
   const std::vector<Matrix6d> apart = graph.covariances_from(candidate.new_keyframe, in_view);
-  const Matrix6d own = in_axes_of(T_map_camera.linear(), covariance);
+  const Matrix6d own = in_axes_of(T_map_camera.linear(), step_covariance(covariance));
   candidate.old_ones.assign(graph.size(), false);
   candidate.new_ones.assign(graph.size(), false);
   std::size_t old_facets = 0, new_facets = 0, most_old = 0;
@@ -80,8 +80,9 @@ std::optional<PoseEdge> measure_loop(const FrameSamples& frame, const Camera& ca
       by_new.T_map_camera.inverse() * graph.T_map_keyframe(candidate.new_keyframe);
   // Both parts were seen by other readings of the frame: their errors add.
   const Matrix6d carried = small_seen_from(T_camera_new);
-  const Matrix6d both = in_axes_of(by_old.T_map_camera.linear(), by_old.covariance) +
-                        in_axes_of(by_new.T_map_camera.linear(), by_new.covariance);
+  const Matrix6d both =
+      in_axes_of(by_old.T_map_camera.linear(), step_covariance(by_old.covariance)) +
+      in_axes_of(by_new.T_map_camera.linear(), step_covariance(by_new.covariance));
   return PoseEdge{candidate.old_keyframe, candidate.new_keyframe, T_old_camera * T_camera_new,
                   carried * both * carried.transpose()};
 }

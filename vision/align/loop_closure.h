@@ -20,9 +20,9 @@ struct LoopCandidate {
   std::vector<bool> old_ones = {}, new_ones = {};  // by keyframe
 };
 
-// Whether a view at T_map_camera shows pieces that are told apart worse than three times what a fit
-// with `covariance` (as TrackedPose has it) would, in some motion: then a fit to each is worth its
-// while. Nothing: all that is in view hangs together as well as a fit would tell.
+// Whether a view at T_map_camera shows pieces that the graph tells apart five times worse, in some
+// motion, than a fit with `covariance` (as TrackedPose has it) would: then a fit to each is worth
+// its while. Nothing: all that is in view hangs together well enough.
 [[nodiscard]] std::optional<LoopCandidate> find_loop(const MapView& view,
                                                      const Keyframes& keyframes,
                                                      const Pose& T_map_camera,

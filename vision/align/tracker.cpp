@@ -83,9 +83,10 @@ struct Tracker::Impl {
   bool is_lost = true;
   Keyframes keyframes;
   std::vector<KeyframeShare> shares = {};  // of the map that the frame now tracked was fitted to
-  std::optional<PoseEdge> measured_loop = {};  // in the last frame
-  int frames_since_loop = 0;                   // was looked for
-  bool may_fuse = false;                       // the frame now tracked
+  std::optional<PoseEdge> measured_loop = {};   // in the last frame
+  std::optional<std::size_t> looped_from = {};  // keyframe
+  int frames_since_loop = 0;                    // was looked for
+  bool may_fuse = false;                        // the frame now tracked
   int unconfirmed = 0;       // frames that a pose found anew still has to be borne out by
   std::size_t searches = 0;  // since it was lost
 
@@ -210,11 +211,15 @@ void Tracker::Impl::look_for_loop(const SeenFrame& frame, const FrameSamples& sa
                                   const MapView& view, TrackedPose& tracked) {
   if (++frames_since_loop < options.frames_a_loop) return;
   frames_since_loop = 0;
+  // One of each keyframe: frames of one place err together and would be counted as many.
+  if (looped_from == keyframes.current()) return;
   const auto candidate = find_loop(view, keyframes, tracked.T_map_camera, tracked.covariance);
   if (!candidate) return;
   measured_loop =
       measure_loop(samples, frame.camera, *candidate, map, keyframes, tracked.T_map_camera);
-  if (measured_loop) tracked.loop = LoopOutcome::kMeasured;
+  if (!measured_loop) return;
+  looped_from = keyframes.current();
+  tracked.loop = LoopOutcome::kMeasured;
 }
 
 void Tracker::Impl::close_measured_loop(TrackedPose& tracked) {
@@ -222,8 +227,9 @@ void Tracker::Impl::close_measured_loop(TrackedPose& tracked) {
   tracked.map_motions = close_loop(*measured_loop, keyframes, map);
   measured_loop.reset();
   tracked.loop = tracked.map_motions.empty() ? LoopOutcome::kRefused : LoopOutcome::kClosed;
-  if (tracked.loop == LoopOutcome::kClosed)
-    motion.correct(tracked.map_motions[keyframes.current()] * motion.last());
+  if (tracked.loop != LoopOutcome::kClosed) return;
+  tracked.T_current_moved = tracked.map_motions[keyframes.current()];
+  motion.correct(tracked.T_current_moved * motion.last());
 }
 
 void Tracker::Impl::search(const SeenFrame& frame, const FrameSamples& samples,

@@ -63,6 +63,7 @@ struct TrackedPose {
   LoopOutcome loop = LoopOutcome::kNone;
   // Of a closed loop: the motion of the map's pieces by MapCell::keyframe, in the map frame.
   std::vector<Pose> map_motions = {};
+  Pose T_current_moved = Pose::Identity();      // of them that of the piece that the camera is in
   FuseReport fused = {};                        // zero where the frame was not taken into the map
   std::map<std::string, double> timing_s = {};  // close, fit, loop, fuse
 };

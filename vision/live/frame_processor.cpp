@@ -13,41 +13,14 @@
 #include "vision/live/acquisition_box.h"
 #include "vision/live/coverage.h"
 #include "vision/live/dropout_watch.h"
+#include "vision/live/every_nth_pixel.h"
+#include "vision/live/map_correction.h"
 #include "vision/scan/back_projection.h"
 #include "vision/scan/normals.h"
 
 namespace spool {
 
 namespace {
-
-// Every `stride`-th pixel of a frame, and the camera that sees it so.
-DepthFrame every_nth_pixel(const DepthFrame& frame, int stride) {
-  DepthFrame small;
-  small.index = frame.index;
-  small.seconds = frame.seconds;
-  small.width = (frame.width + stride - 1) / stride;
-  small.height = (frame.height + stride - 1) / stride;
-  small.depth.reserve(static_cast<std::size_t>(small.width) *
-                      static_cast<std::size_t>(small.height));
-  for (int v = 0; v < frame.height; v += stride) {
-    const auto row = static_cast<std::size_t>(v) * static_cast<std::size_t>(frame.width);
-    for (int u = 0; u < frame.width; u += stride) {
-      small.depth.push_back(frame.depth[row + static_cast<std::size_t>(u)]);
-    }
-  }
-  return small;
-}
-
-Camera every_nth_pixel(const Camera& camera, int stride) {
-  Camera small = camera;
-  small.width = (camera.width + stride - 1) / stride;
-  small.height = (camera.height + stride - 1) / stride;
-  small.fx /= stride;  // pixel centres at integers: pixel u of the small image is pixel u * stride
-  small.fy /= stride;
-  small.cx /= stride;
-  small.cy /= stride;
-  return small;
-}
 
 // A pose that only the spool holds is good where so much of what should be seen is, so near.
 constexpr double kGoodAgreement = 0.7;
@@ -88,6 +61,7 @@ struct FrameProcessor::Impl {
   Camera small;  // of the thinned pictures
   NoiseModel noise;
   FrameProcessorOptions options;
+  Eigen::AlignedBox3d datum;   // design frame
   Eigen::AlignedBox3f region;  // design frame; no point outside is near enough to be measured
   Tracker tracker;
   LiveAlignment alignment;
@@ -95,10 +69,11 @@ struct FrameProcessor::Impl {
   DropoutWatch dropout;
   std::uint64_t revision = 0;
   std::uint64_t alignments = 0;
-  std::uint64_t map = 0;           // how often the map was begun anew
-  bool scene_holds = false;        // every motion of the camera, in the frame now processed
-  std::string alignment_hint;      // why the last alignment was not believed
-  Pose T_last = Pose::Identity();  // T_design_camera of the last believed frame
+  std::uint64_t map = 0;                // how often the map was begun anew
+  double last_u_m = 0, last_u_rad = 0;  // VisionState::pose_u of the last placed frame
+  bool scene_holds = false;             // every motion of the camera, in the frame now processed
+  std::string alignment_hint;           // why the last alignment was not believed
+  Pose T_last = Pose::Identity();       // T_design_camera of the last believed frame
 
   Impl(std::shared_ptr<const PreparedDesign> of, const Camera& by, const NoiseModel& with,
        const FrameProcessorOptions& so)
@@ -107,6 +82,7 @@ struct FrameProcessor::Impl {
         small(every_nth_pixel(by, so.stride_px)),
         noise(with),
         options(so),
+        datum(datum_box(design->model)),
         region(box_about(design->model, so.max_deviation_m)),
         tracker(so.tracker),
         alignment(design, by, small, with, so.alignment),
@@ -116,6 +92,7 @@ struct FrameProcessor::Impl {
   void wait(VisionState& state) const;
   void see_nothing(VisionState& state) const;
   void follow_camera(const PointCloud& cloud, VisionState& state);
+  void follow_map(const TrackedPose& tracked, VisionState& state);
   void place_design(const PointCloud& cloud, VisionState& state, StageClock& clock);
   void show(const DesignFit& fit, VisionState& state);
   void hold_by_spool(const PointCloud& cloud, VisionState& state, StageClock& clock);
@@ -167,10 +144,27 @@ void FrameProcessor::Impl::follow_camera(const PointCloud& cloud, VisionState& s
   state.map_cells = tracker.map().size();
   for (const auto& [stage, seconds] : tracked.timing_s) state.timing_s["follow/" + stage] = seconds;
   scene_holds = tracked.quality != PoseQuality::kLost && tracked.weak_directions.empty();
+  follow_map(tracked, state);
   if (had_map || tracker.map().empty() || !alignment.is_set()) return;
   // The scene was too plain until now, and the spool alone was followed.
   const DesignFit fit = alignment.fit(state.scan, *state.frame, T_last);
   if (fit.is_believed) alignment.set(fit.T_design_camera * state.T_map_camera.inverse());
+}
+
+// A loop was closed: the design goes with the piece of the map that its datum lies in, and the
+// camera with the one that it looks at.
+void FrameProcessor::Impl::follow_map(const TrackedPose& tracked, VisionState& state) {
+  if (tracked.map_motions.empty() || !alignment.is_set()) return;
+  const Pose& of_camera = tracked.T_current_moved;
+  const Pose of_design = motion_of_piece(tracker.map(), tracked.map_motions,
+                                         alignment.T_design_map(), datum, of_camera);
+  const Pose T_camera_before = of_camera.inverse() * tracked.T_map_camera;
+  const Pose T_before = alignment.T_design_map() * T_camera_before;
+  alignment.follow_map(of_design);
+  const PoseSize moved =
+      pose_size(T_before.inverse() * alignment.T_design_map() * tracked.T_map_camera);
+  state.loop_moved_m = moved.translation_m;
+  state.loop_moved_rad = moved.rotation_rad;
 }
 
 void FrameProcessor::Impl::show(const DesignFit& fit, VisionState& state) {
@@ -254,6 +248,13 @@ void FrameProcessor::Impl::place_design(const PointCloud& cloud, VisionState& st
     state.quality = TrackQuality::kPoor;
     state.hint = "Unsure: the spool may have been moved.";
   }
+  if (state.loop_moved_m > last_u_m || state.loop_moved_rad > last_u_rad) {
+    // More than was said beforehand.
+    state.quality = TrackQuality::kPoor;
+    state.hint = "Corrected: coming back here showed that the way had drifted.";
+  }
+  last_u_m = state.pose_u_m;
+  last_u_rad = state.pose_u_rad;
   clock.mark("refine");
   coverage.tell(state, pose_covariance(state));
   clock.mark("coverage");

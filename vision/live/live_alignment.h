@@ -65,6 +65,9 @@ class LiveAlignment {
                               const Pose& T_guess) const;
 
   void set(const Pose& T_design_map);
+  // A loop was closed: the design goes with its piece of the map, which moved by `motion` (map
+  // frame).
+  void follow_map(const Pose& motion) { *T_design_map_ = *T_design_map_ * motion.inverse(); }
   void forget();
   [[nodiscard]] bool is_set() const { return T_design_map_.has_value(); }
   [[nodiscard]] const Pose& T_design_map() const { return *T_design_map_; }

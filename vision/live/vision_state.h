@@ -52,8 +52,11 @@ struct VisionState {
   // believed.
   Pose T_design_camera = Pose::Identity();
   double pose_u_m = 0, pose_u_rad = 0;  // of it, at the camera: two standard deviations
-  bool was_moved = false;               // the spool; the pose is the one that it has now
-  bool is_gone = false;  // it is not where it was, and has to be looked for everywhere
+  // A loop was closed in this frame and moved the design by so much for the camera: drift that was
+  // taken out of the map.
+  double loop_moved_m = 0, loop_moved_rad = 0;
+  bool was_moved = false;  // the spool; the pose is the one that it has now
+  bool is_gone = false;    // it is not where it was, and has to be looked for everywhere
   // The rest is empty unless quality is good or poor. One entry a point of `scan`.
   PointCloud scan_design;
   std::vector<PointClass> classes;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "vision/core/parallel.h"
+
 namespace spool {
 namespace {
 
@@ -115,23 +117,30 @@ void MapBlocks::shrink_to(std::size_t most) {
 }
 
 void MapBlocks::move(std::span<const Pose> motions) {
-  std::vector<MapCell> cells;
-  cells.reserve(cell_count_);
-  for (const MapBlock& block : blocks_)
-    cells.insert(cells.end(), block.cells.begin(), block.cells.end());
-  std::stable_sort(cells.begin(), cells.end(),
-                   [](const MapCell& a, const MapCell& b) { return a.count > b.count; });
   std::vector<Eigen::Isometry3f> moves;
   moves.reserve(motions.size());
   for (const Pose& motion : motions) moves.push_back(motion.cast<float>());
-  clear();
-  for (MapCell& cell : cells) {
-    const Eigen::Isometry3f& by = moves[cell.keyframe];
-    cell.mean = by * cell.mean;
-    cell.normal = (by.linear() * cell.normal).normalized();
-    cell.covariance = by.linear() * cell.covariance * by.linear().transpose();
-    add(cell, std::ilogb(1.01F * cell.size / cell_m_));
-  }
+  std::vector<std::vector<MapCell>> gone(blocks_.size());
+  constexpr std::size_t kGrain = 16;  // blocks, some thousand cells
+  parallel_chunks(blocks_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      MapBlock& block = blocks_[i];
+      for (MapCell& cell : block.cells) {
+        const Eigen::Isometry3f& by = moves[cell.keyframe];
+        cell.mean = by * cell.mean;
+        cell.normal = (by.linear() * cell.normal).normalized();
+        cell.covariance = by.linear() * cell.covariance * by.linear().transpose();
+        if (!block.box.contains(cell.mean)) gone[i].push_back(cell);
+      }
+      std::erase_if(block.cells,
+                    [&](const MapCell& cell) { return !block.box.contains(cell.mean); });
+      block.relink();
+    }
+  });
+  for (const std::vector<MapCell>& cells : gone) cell_count_ -= cells.size();
+  for (const std::vector<MapCell>& cells : gone)
+    for (const MapCell& cell : cells) add(cell, std::ilogb(1.01F * cell.size / cell_m_));
+  sweep();
 }
 
 void MapBlocks::rehang(KeyframeId from, KeyframeId to) {

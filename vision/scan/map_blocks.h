@@ -53,6 +53,7 @@ struct MapBlock {
   std::size_t drop(const Dead& dead);
 
  private:
+  friend class MapBlocks;
   void relink();
 };
 
@@ -78,8 +79,8 @@ class MapBlocks {
   void sweep();
   // Frees those that were out of view longest until at most `most` cells are left.
   void shrink_to(std::size_t most);
-  // Moves each cell with its keyframe, by `motions[keyframe]` in the map frame, and finds its voxel
-  // anew; of two that come to lie in one voxel and look the same way the one seen oftener stays.
+  // Moves each cell with its keyframe, by `motions[keyframe]` in the map frame. One that leaves its
+  // block goes to another, unless one that looks the same way is in its voxel there already.
   void move(std::span<const Pose> motions);
   // Cells of keyframe `from` hang on `to` now, and stay where they are.
   void rehang(KeyframeId from, KeyframeId to);
