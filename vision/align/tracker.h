@@ -65,7 +65,7 @@ struct TrackedPose {
   std::vector<Pose> map_motions = {};
   Pose T_current_moved = Pose::Identity();      // of them that of the piece that the camera is in
   FuseReport fused = {};                        // zero where the frame was not taken into the map
-  std::map<std::string, double> timing_s = {};  // close, fit, loop, fuse
+  std::map<std::string, double> timing_s = {};  // close, fit, fuse
 };
 
 // The scene carries the pose, not the design, so that a wrong spool cannot bend it (KinectFusion,
