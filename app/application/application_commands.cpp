@@ -181,7 +181,11 @@ void Application::pick(const ui::Gesture& gesture, double slop) {
     const auto hit = pick_design(in_.design->model, *in_.design->surface, landmarks_.landmarks,
                                  design_eye_.view(), gesture.x - layout_.design_view.x,
                                  gesture.y - layout_.design_view.y, slop);
-    if (hit && shown()) {
+    const bool is_there =
+        hit && (!in_.job || hit->part < 0 || on_table_[static_cast<std::size_t>(hit->part)]);
+    if (hit && !is_there) {
+      notice("That part is not built yet: tap one that stands.");
+    } else if (hit && shown()) {
       hold_picture();
       picks_.choose_design_point(*hit);
     } else {

@@ -74,6 +74,7 @@ class Bench : public testing::Test {
     in.height = height;
     in.wait_for_jobs = wait_for_jobs_;
     in.has_graphics_card = has_graphics_card_;
+    in.job = std::move(job_);
     const NoiseModel noise = in.noise;
     in.open_feed = [steps, noise, design = design_,
                     notes = notes_]() -> Result<std::unique_ptr<Feed>> {
@@ -133,6 +134,7 @@ class Bench : public testing::Test {
   std::shared_ptr<const PreparedDesign> design_ = prepared_bracket();
   bool wait_for_jobs_ = true;
   bool has_graphics_card_ = false;
+  std::unique_ptr<JobSession> job_;  // of design_; start() takes it
   std::shared_ptr<std::deque<SensorNote>> notes_ = std::make_shared<std::deque<SensorNote>>();
   std::unique_ptr<render::EglContext> context_;
   std::unique_ptr<Application> app_;  // goes before its context
