@@ -62,4 +62,13 @@ struct CheckRecord {
   std::vector<CheckNumber> numbers;
 };
 
+// A capture in evidence/: which check it shows, and what its entry has to hash to.
+struct CaptureRow {
+  std::int64_t number = 0;    // from 1 without gaps; the folder evidence/000001
+  std::int64_t check_id = 0;  // the check it was made with
+  std::string entry_sha256;   // of its entry.json
+  std::string signer;         // public key, hexadecimal; "" unsigned
+  double wall_s = 0;          // since 1970, UTC; also the modification time of entry.json
+};
+
 }  // namespace spool::job

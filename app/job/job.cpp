@@ -15,6 +15,18 @@
 
 namespace spool::job {
 
+namespace {
+
+// 1 where it cannot be told: what is wrong with the journal its own opening says.
+std::int64_t journal_version(const std::filesystem::path& folder) {
+  auto database = Database::open(journal_path(folder), OpenFor::kReading);
+  if (!database) return 1;
+  const auto version = database->integer("PRAGMA user_version");
+  return version ? *version : 1;
+}
+
+}  // namespace
+
 Result<Job> Job::open(const std::filesystem::path& folder, JobUse use) {
   auto file = read_job_file(folder / "job.json");
   if (!file) return file.error();
@@ -26,6 +38,9 @@ Result<Job> Job::open(const std::filesystem::path& folder, JobUse use) {
     file = read_job_file(folder / "job.json");  // as the holder before us left it
     if (!file) return file.error();
   }
+  const std::vector<Change> alterations =
+      lock && lock->taken_over_from().empty() ? seal_changes(folder) : std::vector<Change>{};
+  const bool had_seal = std::filesystem::exists(folder / kSealFile);
   const std::filesystem::path design_file = folder / file->design;
   const auto sha256 = sha256_file(design_file);
   if (!sha256) return sha256.error();
@@ -36,6 +51,7 @@ Result<Job> Job::open(const std::filesystem::path& folder, JobUse use) {
                      "put that back, or make a new job"};
   auto design = read_design(design_file);
   if (!design) return design.error();
+  const bool is_first = !had_seal && journal_version(folder) == 1;  // made before there were seals
   auto journal = Journal::open(journal_path(folder),
                                use == JobUse::kWork ? OpenFor::kWriting : OpenFor::kReading);
   if (!journal) return journal.error();
@@ -43,6 +59,8 @@ Result<Job> Job::open(const std::filesystem::path& folder, JobUse use) {
   if (lock) {
     job.taken_over_from_ = lock->taken_over_from();
     job.lock_.emplace(*std::move(lock));
+    if (!is_first) job.alterations_ = alterations;
+    if (job.alterations_.empty()) job.seal_ = std::make_unique<SealOnClose>(folder);
   }
   job.file_ = *std::move(file);
   job.design_ = *std::move(design);
@@ -113,7 +131,7 @@ Status Job::move_step(int from, int to) {
   return set_order(file_.order);
 }
 
-Result<std::int64_t> Job::add(int step, CheckRecord record) {
+Result<CheckRecord> Job::as_added(int step, CheckRecord record) const {
   if (step < 0 || step >= static_cast<int>(steps_.size()))
     return Error{ErrorCode::kUsage, fmt::format("the job has steps 1 to {}", steps_.size())};
   const auto place = static_cast<std::size_t>(step);
@@ -141,10 +159,30 @@ Result<std::int64_t> Job::add(int step, CheckRecord record) {
                       "an override",
                       record.part, record.status.empty() ? "not_measured" : record.status)};
   }
-  const auto id = journal_.append(record);
+  return record;
+}
+
+Result<std::int64_t> Job::add(int step, CheckRecord record) {
+  auto checked = as_added(step, std::move(record));
+  if (!checked) return checked.error();
+  const auto id = journal_.append(*checked);
   if (!id) return id.error();
-  record.id = *id;
-  records_.push_back(std::move(record));
+  checked->id = *id;
+  records_.push_back(*std::move(checked));
+  return *id;
+}
+
+Result<std::int64_t> Job::next_check() {
+  if (!lock_)
+    return Error{ErrorCode::kUsage, folder_.string() + ": the job is open for looking only"};
+  return journal_.next_id();
+}
+
+Result<std::int64_t> Job::add_captured(const CheckRecord& record, const CaptureRow& capture) {
+  const auto id = journal_.append(record, capture);
+  if (!id) return id.error();
+  records_.push_back(record);
+  records_.back().id = *id;
   return *id;
 }
 

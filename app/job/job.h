@@ -4,12 +4,14 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/job/job_file.h"
 #include "app/job/job_lock.h"
+#include "app/job/job_seal.h"
 #include "app/job/journal.h"
 #include "vision/design/design_model.h"
 #include "vision/guide/assembly_step.h"
@@ -47,6 +49,10 @@ class Job {
   [[nodiscard]] const std::vector<CheckRecord>& records() const { return records_; }
   [[nodiscard]] const std::string& damage() const { return journal_.damage(); }
   [[nodiscard]] const std::string& taken_over_from() const { return taken_over_from_; }
+  // What was altered since the job was last closed; of a job opened for work only. Its seal is then
+  // left as it is.
+  [[nodiscard]] const std::vector<Change>& alterations() const { return alterations_; }
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] int current_step() const;  // from 0; as many as there are steps: all accepted
   [[nodiscard]] std::string joint_text(int step) const;  // the welds it makes, "W5+W6"
 
@@ -59,14 +65,27 @@ class Job {
   // of a step before its time, without an override's reason; a remark without text.
   [[nodiscard]] Result<std::int64_t> add(int step, CheckRecord record);
 
+  // The record as add() would write it, or why it would not; writes nothing.
+  [[nodiscard]] Result<CheckRecord> as_added(int step, CheckRecord record) const;
+  // Appends what as_added() gave, and its capture, in one transaction: both or neither.
+  [[nodiscard]] Result<std::int64_t> add_captured(const CheckRecord& record,
+                                                  const CaptureRow& capture);
+  // The id of the next check; all captures so far.
+  [[nodiscard]] Result<std::int64_t> next_check();
+  [[nodiscard]] Result<std::vector<CaptureRow>> captures() { return journal_.captures(); }
+
  private:
   Job(Journal journal, std::filesystem::path folder)
       : journal_(std::move(journal)), folder_(std::move(folder)) {}
   [[nodiscard]] Status set_order(const std::vector<std::string>& names);
 
+  // In the order in which they may go: the journal is closed, the seal written, the lock given
+  // back.
+  std::optional<JobLock> lock_;
+  std::unique_ptr<SealOnClose> seal_;
   Journal journal_;
   std::filesystem::path folder_;
-  std::optional<JobLock> lock_;
+  std::vector<Change> alterations_;
   std::string taken_over_from_;
   JobFile file_;
   DesignModel design_;

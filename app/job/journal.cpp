@@ -33,12 +33,21 @@ Status check_version(Database& database, const std::filesystem::path& path) {
   if (!application) return application.error();
   if (*application != kApplicationId)
     return Error{ErrorCode::kBadInput, path.string() + ": is no SpoolSight journal"};
-  if (*version != kJournalVersion)
+  if (*version < 1 || *version > kJournalVersion)
     return Error{ErrorCode::kBadInput,
                  fmt::format("{}: is a journal of version {}, and this SpoolSight knows version "
                              "{}; use a newer SpoolSight",
                              path.string(), *version, kJournalVersion)};
   return {};
+}
+
+// Version 1 had no captures.
+Status bring_up_to_date(Database& database) {
+  const auto version = database.integer("PRAGMA user_version");
+  if (!version) return version.error();
+  if (*version == kJournalVersion) return {};
+  return database.execute(fmt::format("BEGIN IMMEDIATE; {} PRAGMA user_version = {}; COMMIT;",
+                                      kCaptureSchema, kJournalVersion));
 }
 
 }  // namespace
@@ -51,8 +60,8 @@ Result<Journal> Journal::create(const std::filesystem::path& path) {
   if (!database) return database.error();
   if (Status done = make_durable(*database); !done) return done.error();
   const std::string schema = fmt::format(
-      "BEGIN IMMEDIATE; {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
-      kJournalSchema, kApplicationId, kJournalVersion);
+      "BEGIN IMMEDIATE; {} {} PRAGMA application_id = {}; PRAGMA user_version = {}; COMMIT;",
+      kJournalSchema, kCaptureSchema, kApplicationId, kJournalVersion);
   if (Status done = database->execute(schema); !done) return done.error();
   Journal journal(*std::move(database), path);
   journal.is_writable_ = true;
@@ -79,6 +88,7 @@ Result<Journal> Journal::open(const std::filesystem::path& path, OpenFor use) {
   }
   if (use != OpenFor::kReading) {
     if (Status done = make_durable(journal.database_); !done) return done.error();
+    if (Status done = bring_up_to_date(journal.database_); !done) return done.error();
     journal.is_writable_ = true;
   }
   return journal;
@@ -104,13 +114,48 @@ Status Journal::write(const CheckRecord& record) {
   return {};
 }
 
-Result<std::int64_t> Journal::append(const CheckRecord& record) {
+Status Journal::insert(const CaptureRow& capture) {
+  auto insert = database_.prepare(
+      fmt::format("INSERT INTO captures ({}) VALUES (?, ?, ?, ?, ?)", kCaptureColumns));
+  if (!insert) return insert.error();
+  bind_capture(*insert, capture);
+  if (insert->step_row() || !insert->is_done()) return database_.error();
+  return {};
+}
+
+Status Journal::write(const CaptureRow& capture) {
+  const auto check = database_.integer("SELECT max(id) FROM checks");
+  if (!check) return check.error();
+  const auto last = database_.integer("SELECT ifnull(max(number), 0) FROM captures");
+  if (!last) return last.error();
+  if (capture.check_id != *check || capture.number != *last + 1)
+    return Error{ErrorCode::kUsage,
+                 fmt::format("{}: capture {} of check {} does not follow capture {} and check {}",
+                             path_.string(), capture.number, capture.check_id, *last, *check)};
+  return insert(capture);
+}
+
+Result<std::int64_t> Journal::append(const CheckRecord& record) { return append(record, nullptr); }
+
+Result<std::int64_t> Journal::append(const CheckRecord& record, const CaptureRow& capture) {
+  return append(record, &capture);
+}
+
+Result<std::int64_t> Journal::next_id() {
+  const auto last =
+      database_.integer("SELECT ifnull(max(seq), 0) FROM sqlite_sequence WHERE name = 'checks'");
+  if (!last) return last.error();
+  return *last + 1;
+}
+
+Result<std::int64_t> Journal::append(const CheckRecord& record, const CaptureRow* capture) {
   if (!is_writable_)
     return Error{ErrorCode::kBadInput,
                  damage_.empty() ? path_.string() + ": is open for reading only" : damage_};
   if (Status begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun.error();
   Status written = write(record);
   const std::int64_t id = database_.last_row();
+  if (written && capture != nullptr) written = write(*capture);
   if (written) written = database_.execute("COMMIT");
   if (!written) {
     // The first failure is the one to tell; the transaction may be gone already.
@@ -143,6 +188,19 @@ Result<std::vector<CheckRecord>> Journal::records() {
   return records;
 }
 
+Result<std::vector<CaptureRow>> Journal::captures() {
+  const auto version = database_.integer("PRAGMA user_version");
+  if (!version) return version.error();
+  std::vector<CaptureRow> captures;
+  if (*version < 2) return captures;
+  auto rows =
+      database_.prepare(fmt::format("SELECT {} FROM captures ORDER BY number", kCaptureColumns));
+  if (!rows) return rows.error();
+  while (rows->step_row()) captures.push_back(capture_of(*rows));
+  if (!rows->is_done()) return database_.error();
+  return captures;
+}
+
 Result<Journal::Salvaged> Journal::salvage(const std::filesystem::path& damaged,
                                            const std::filesystem::path& fresh) {
   auto source = Database::open(damaged, OpenFor::kReading);
@@ -172,6 +230,17 @@ Result<Journal::Salvaged> Journal::salvage(const std::filesystem::path& damaged,
     salvaged.last_id = std::max(salvaged.last_id, record->id);
     return {};
   };
+  const auto keep_captures = [&]() -> Status {
+    auto rows =
+        source->prepare(fmt::format("SELECT {} FROM captures ORDER BY number", kCaptureColumns));
+    if (!rows) return {};  // of version 1, or lost
+    while (rows->step_row()) {
+      const CaptureRow capture = capture_of(*rows);
+      // A capture whose check is lost cannot be kept; its folder is there and says of itself.
+      if (target->insert(capture)) ++salvaged.captures;
+    }
+    return {};
+  };
   // From the front to the damage, from the back to the damage, then one by one what lies between.
   std::int64_t front = 0, back = 0;
   bool is_whole = false;
@@ -182,7 +251,10 @@ Result<Journal::Salvaged> Journal::salvage(const std::filesystem::path& damaged,
     }
     is_whole = rows->is_done();
   }
-  if (is_whole) return salvaged;
+  if (is_whole) {
+    if (Status kept = keep_captures(); !kept) return kept.error();
+    return salvaged;
+  }
   if (auto rows = source->prepare(select_checks() + "WHERE id > ? ORDER BY id DESC"); rows) {
     rows->bind(1, front);
     while (rows->step_row()) {
@@ -197,6 +269,7 @@ Result<Journal::Salvaged> Journal::salvage(const std::filesystem::path& damaged,
     if (!one->step_row()) continue;
     if (Status kept = keep(*one); !kept) return kept.error();
   }
+  if (Status kept = keep_captures(); !kept) return kept.error();
   return salvaged;
 }
 

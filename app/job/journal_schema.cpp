@@ -103,6 +103,18 @@ std::optional<CheckRecord> check_of(const Statement& row) {
   return record;
 }
 
+void bind_capture(Statement& insert, const CaptureRow& capture) {
+  insert.bind(1, capture.number);
+  insert.bind(2, capture.check_id);
+  insert.bind(3, capture.entry_sha256);
+  insert.bind(4, capture.signer);
+  insert.bind(5, std::optional(capture.wall_s));
+}
+
+CaptureRow capture_of(const Statement& row) {
+  return {row.integer(0), row.integer(1), row.text(2), row.text(3), row.number(4).value_or(0)};
+}
+
 CheckNumber number_of(const Statement& row) {
   return {row.text(2),   row.text(3),   row.text(4),   row.number(5), row.number(6),
           row.number(7), row.number(8), row.number(9), row.text(10)};

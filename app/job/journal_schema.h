@@ -49,11 +49,27 @@ CREATE TRIGGER numbers_last BEFORE DELETE ON numbers
   BEGIN SELECT RAISE(ABORT, 'a check is never deleted'); END;
 )";
 
+// Since version 2. A capture's row is written in the transaction of its check.
+inline constexpr char kCaptureSchema[] = R"(
+CREATE TABLE captures (
+  number INTEGER PRIMARY KEY,
+  check_id INTEGER NOT NULL REFERENCES checks(id),
+  entry_sha256 TEXT NOT NULL,
+  signer TEXT NOT NULL,
+  wall_s REAL NOT NULL);
+CREATE TRIGGER captures_stay BEFORE UPDATE ON captures
+  BEGIN SELECT RAISE(ABORT, 'a capture is never changed'); END;
+CREATE TRIGGER captures_last BEFORE DELETE ON captures
+  BEGIN SELECT RAISE(ABORT, 'a capture is never deleted'); END;
+)";
+
 inline constexpr char kCheckColumns[] =
     "id, step, part, joint, phase, outcome, status, remark, operator, override_reason, picture, "
     "report_sha256, wall_s, boot_s, boot, T_design_part, covariance";
 inline constexpr char kNumberColumns[] =
     "check_id, position, name, kind, unit, nominal, measured, deviation, u, tolerance, status";
+
+inline constexpr char kCaptureColumns[] = "number, check_id, entry_sha256, signer, wall_s";
 
 // Binds all columns of a check in that order; id 0 is given by the journal.
 void bind_check(Statement& insert, const CheckRecord& record);
@@ -62,5 +78,7 @@ void bind_number(Statement& insert, std::int64_t check, std::int64_t position,
 // A row of these columns; nothing where its words or numbers are none of ours (a damaged page).
 [[nodiscard]] std::optional<CheckRecord> check_of(const Statement& row);
 [[nodiscard]] CheckNumber number_of(const Statement& row);
+void bind_capture(Statement& insert, const CaptureRow& capture);
+[[nodiscard]] CaptureRow capture_of(const Statement& row);
 
 }  // namespace spool::job

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "app/job/job.h"
+#include "app/job/job_seal.h"
 #include "vision/core/file_digest.h"
 #include "vision/core/file_io.h"
 #include "vision/design/design_reader.h"
@@ -90,7 +91,8 @@ Status fill(const std::filesystem::path& folder, Made& made) {
   for (const int part : guide::propose_order(*design))
     made.file.order.push_back(design->parts[static_cast<std::size_t>(part)].name);
   if (auto journal = Journal::create(journal_path(folder)); !journal) return journal.error();
-  return write_job_file(folder / "job.json", made.file);
+  if (Status done = write_job_file(folder / "job.json", made.file); !done) return done;
+  return write_seal(folder);
 }
 
 }  // namespace

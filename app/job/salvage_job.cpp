@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/job/job.h"
+#include "app/job/job_seal.h"
 #include "vision/core/file_io.h"
 
 namespace spool::job {
@@ -51,6 +52,8 @@ Result<SalvagedJob> salvage_job(const std::filesystem::path& folder) {
   if (code)
     return Error{ErrorCode::kIo, path.string() + ": cannot be replaced (" + code.message() +
                                      "); what was salvaged is in " + fresh.string()};
+  // A person asked for it: what it is now is what later changes are told from.
+  if (Status done = write_seal(folder); !done) return done.error();
   return salvaged;
 }
 

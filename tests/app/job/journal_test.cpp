@@ -93,9 +93,9 @@ TEST_F(JournalFile, OpenForReadingTakesNothing) {
 
 TEST_F(JournalFile, OfALaterVersionIsRefusedByIt) {
   fill(1);
-  sql("PRAGMA user_version = 2");
+  sql("PRAGMA user_version = 3");
   expect_refused(Journal::open(path_, OpenFor::kWriting), ErrorCode::kBadInput, "journal.db",
-                 "version 2");
+                 "version 3");
   sql("PRAGMA application_id = 7");
   expect_refused(Journal::open(path_, OpenFor::kReading), ErrorCode::kBadInput, "journal.db",
                  "no SpoolSight journal");
