@@ -47,7 +47,7 @@ ONLY_IN = {
     r"assimp/": ["vision/design"],
     r"tiny_gltf": ["vision/design", "tests/vision/design"],
     r"oneapi/tbb|tbb/": ["vision/core/parallel.cpp"],
-    r"sodium": ["vision/core/file_digest.cpp"],
+    r"sodium": ["vision/core/file_digest.cpp", "app/evidence/signing.cpp"],
     r"sqlite3": ["app/job/sqlite.cpp", "tests/app/job"],
     r"spdlog|fmt/": ["app", "tools"],
     r"nlohmann/": ["app", "tools", "tests", "render"],

@@ -78,6 +78,8 @@ Result<Journal> Journal::open(const std::filesystem::path& path, OpenFor use) {
     return std::move(journal);
   };
   if (Status known = check_version(journal.database_, path); !known) return damaged(known.error());
+  if (const auto version = journal.database_.integer("PRAGMA user_version"); version)
+    journal.version_ = *version;
   const auto sound = journal.database_.text("PRAGMA integrity_check(1)");
   if (!sound) return damaged(sound.error());
   if (*sound != "ok") {
@@ -89,6 +91,7 @@ Result<Journal> Journal::open(const std::filesystem::path& path, OpenFor use) {
   if (use != OpenFor::kReading) {
     if (Status done = make_durable(journal.database_); !done) return done.error();
     if (Status done = bring_up_to_date(journal.database_); !done) return done.error();
+    journal.version_ = kJournalVersion;
     journal.is_writable_ = true;
   }
   return journal;
@@ -189,10 +192,9 @@ Result<std::vector<CheckRecord>> Journal::records() {
 }
 
 Result<std::vector<CaptureRow>> Journal::captures() {
-  const auto version = database_.integer("PRAGMA user_version");
-  if (!version) return version.error();
+  if (!damage_.empty()) return Error{ErrorCode::kBadInput, damage_};
   std::vector<CaptureRow> captures;
-  if (*version < 2) return captures;
+  if (version_ < 2) return captures;
   auto rows =
       database_.prepare(fmt::format("SELECT {} FROM captures ORDER BY number", kCaptureColumns));
   if (!rows) return rows.error();

@@ -42,6 +42,9 @@ class Journal {
   // The id that the next check gets. Ids of checks that were salvaged away are not given again.
   [[nodiscard]] Result<std::int64_t> next_id();
 
+  // Of the file: 1 had no captures.
+  [[nodiscard]] std::int64_t version() const { return version_; }
+
   // All captures by number; none in a journal of version 1.
   [[nodiscard]] Result<std::vector<CaptureRow>> captures();
 
@@ -68,6 +71,7 @@ class Journal {
   Database database_;
   std::filesystem::path path_;
   std::string damage_;
+  std::int64_t version_ = kJournalVersion;
   bool is_writable_ = false;
 };
 
