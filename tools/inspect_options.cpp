@@ -15,11 +15,15 @@ namespace {
 
 Error usage(std::string sentence) { return {ErrorCode::kUsage, std::move(sentence)}; }
 
+}  // namespace
+
 std::string method_text(const InspectOptions& options) {
   if (!options.align.empty()) return options.align;
   if (!options.pose.empty()) return "pose";
   return options.pairs.empty() ? "find" : "three-point";
 }
+
+namespace {
 
 // What is wrong with a method's name; empty where nothing is (as CLI11 asks its validators).
 std::string wrong_method(const std::string& text) {
@@ -88,12 +92,19 @@ void add_inspect_options(CLI::App& app, InspectOptions& options) {
       ->type_name("N");
   app.add_option("--out", options.out,
                  "Folder for report.json, report.html, points.ply, overlay_*.png")
-      ->required()
       ->type_name("DIR");
   app.footer(
       "Exit code: 0 all ok, 1 something not ok, 2 something suspicious or not measured, 3 not "
       "found or "
       "ambiguous;\n64 usage, 65 bad input, 69 no device, 70 internal, 74 read or write failed.");
+}
+
+Status check_given(const InspectOptions& options) {
+  // In CLI11's own words, for what it would ask for were there no other commands.
+  if (options.designs.empty()) return usage("--design is required");
+  if (options.scan.empty()) return usage("--scan is required");
+  if (options.out.empty()) return usage("--out is required");
+  return {};
 }
 
 Status check(const InspectOptions& options) {

@@ -35,10 +35,16 @@ struct InspectOptions {
 
 void add_inspect_options(CLI::App& app, InspectOptions& options);
 
+// The method's name by the rule of ARCHITECTURE, Command lines.
+[[nodiscard]] std::string method_text(const InspectOptions& options);
+
 // The method by the rule of ARCHITECTURE, Command lines (pose, else three-point, else
 // find) with its files read, the rules' too; kUsage where flags contradict each other,
 // kBadInput for the files.
 [[nodiscard]] Result<InspectorOptions> inspector_options(const InspectOptions& options);
+
+// kUsage where a flag is missing that an inspection needs.
+[[nodiscard]] Status check_given(const InspectOptions& options);
 
 // kUsage for a flag combination that makes no sense, before any large file is read.
 [[nodiscard]] Status check(const InspectOptions& options);

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,6 +40,9 @@ struct InspectionRecord {
   double noise_m = 0;   // m, typical random error of a point: the neutral band of the colours
   std::string created;  // ISO 8601 in UTC, when the inspection was made; empty: not said
   std::vector<std::string> warnings;
+  // The flags that it was made with, as replay takes them, and the SHA-256 of files among them;
+  // empty where it was made of more than one frame.
+  std::map<std::string, std::string> options = {};
 };
 
 }  // namespace spool::evidence

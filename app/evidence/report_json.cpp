@@ -266,6 +266,7 @@ std::string report_json(const InspectionRecord& record) {
       {"sensor", sensor_json(record)},
       {"timing_s", timing}};
   if (!record.created.empty()) report["created"] = record.created;
+  if (!record.options.empty()) report["options"] = record.options;
   return json_text(report);
 }
 

@@ -60,11 +60,6 @@ Result<std::shared_ptr<const DepthFrame>> first_frame(sensor::DepthSource& sourc
                text + ": gave no frame within five seconds; check that the sensor is plugged in"};
 }
 
-std::string digest_of(const DepthFrame& frame) {
-  const auto* bytes = reinterpret_cast<const char*>(frame.depth.data());
-  return sha256_hex({bytes, frame.depth.size() * sizeof(frame.depth[0])});
-}
-
 std::string kind_of(const std::string& text) {
   std::error_code ignored;
   if (std::filesystem::is_directory(text, ignored)) return "depth folder";
@@ -82,13 +77,12 @@ double median_range(const PointCloud& cloud) {
 
 Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t number,
                                      const std::optional<Calibration>& known) {
-  auto source = sensor::open_source(text, {.speed = 0, .first_frame = number});
-  if (!source) return source.error();
-  const auto frame = first_frame(**source, text, number);
-  if (!frame) return frame.error();
-  Camera camera = (*source)->camera();
+  const auto one = read_one_frame(text, number);
+  if (!one) return one.error();
+  const auto& frame = one->frame;
+  Camera camera = one->camera;
   if (known) camera.calibration = *known;
-  auto organised = back_project(**frame, camera);
+  auto organised = back_project(*frame, camera);
   if (!organised) return Error{organised.error().code, text + ": " + organised.error().message};
   ScanSnapshot scan;
   estimate_organised_normals(*organised, camera, scan.noise);
@@ -97,21 +91,34 @@ Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t numbe
     return Error{ErrorCode::kBadInput, text + ": frame " + std::to_string(number) +
                                            " measured nothing; choose another frame"};
   scan.record.file = text;
-  scan.record.sha256 = digest_of(**frame);
+  scan.record.sha256 = digest_of(*frame);
   scan.record.kind = kind_of(text);
   scan.record.points = scan.cloud.size();
-  scan.record.frame = (*frame)->index;
-  scan.sensor = (*source)->description();
+  scan.record.frame = frame->index;
+  scan.sensor = one->description;
   scan.calibration = camera.calibration;
   scan.correlated = correlated_readings(camera, 1);
   scan.noise_m = scan.noise.axial_m(median_range(scan.cloud));
   scan.single_frame = true;
   scan.warnings.push_back("One frame of the recording is used, frame " +
-                          std::to_string((*frame)->index) + "; the others are not looked at.");
+                          std::to_string(frame->index) + "; the others are not looked at.");
   return scan;
 }
 
 }  // namespace
+
+Result<OneFrame> read_one_frame(const std::string& text, std::int64_t number) {
+  auto source = sensor::open_source(text, {.speed = 0, .first_frame = number});
+  if (!source) return source.error();
+  const auto frame = first_frame(**source, text, number);
+  if (!frame) return frame.error();
+  return OneFrame{*frame, (*source)->camera(), (*source)->description()};
+}
+
+std::string digest_of(const DepthFrame& frame) {
+  const auto* bytes = reinterpret_cast<const char*>(frame.depth.data());
+  return sha256_hex({bytes, frame.depth.size() * sizeof(frame.depth[0])});
+}
 
 Result<ScanSnapshot> read_scan(const std::string& text, std::optional<LengthUnit> unit,
                                std::optional<std::int64_t> frame,

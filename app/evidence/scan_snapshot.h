@@ -5,12 +5,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/evidence/inspection_record.h"
 #include "vision/core/camera.h"
+#include "vision/core/depth_frame.h"
 #include "vision/core/length_unit.h"
 #include "vision/core/point_cloud.h"
 #include "vision/core/result.h"
@@ -30,6 +32,16 @@ struct ScanSnapshot {
   bool single_frame = false;
   std::vector<std::string> warnings;
 };
+
+// One frame of what open_source() takes, `number` counted from 0. Errors name file or device.
+struct OneFrame {
+  std::shared_ptr<const DepthFrame> frame;
+  Camera camera;
+  std::string description;  // of the source
+};
+[[nodiscard]] Result<OneFrame> read_one_frame(const std::string& text, std::int64_t number);
+// SHA-256 of a frame's counts, as ScanRecord has it.
+[[nodiscard]] std::string digest_of(const DepthFrame& frame);
 
 // Reads a cloud file, or `frame` of what open_source() takes. `unit` is for cloud files only:
 // kUsage for a recording, whose camera says its own. `known`: in place of the camera's own

@@ -190,6 +190,12 @@ void Verification::verify_at(std::int64_t number, const std::optional<job::Captu
   }
   const EntryVerdict verdict = verify_entry(place, options_, recorded_, verified_);
   if (!row) previous_sha256_ = verdict.sha256;
+  if (!verdict.entry) {
+    // Nothing says any more what belongs there.
+    for (const std::string& file : job::files_below(place.folder)) expected_.insert(there + file);
+    verified_.notes.push_back("the files of evidence/" + name +
+                              " cannot be checked without its entry");
+  }
   for (const std::string& file : verdict.files)
     expected_.insert(there + file.substr(place.prefix.size()));
   if (verdict.entry && (!row || verdict.sha256 == row->entry_sha256)) verify_checks(*verdict.entry);
