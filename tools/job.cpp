@@ -1,124 +1,39 @@
-// spoolsight-job: a job on one spool from the command line: make, show, order, check, export,
-// salvage.
+// spoolsight-job: a job on one spool from the command line: make, show, order, check, capture,
+// export, salvage, keygen.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "app/job/job.h"
-
 #include <cassert>
-#include <filesystem>
-#include <iostream>
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/common/cli.h"
-#include "app/job/job_export.h"
-#include "app/job/report_check.h"
-#include "app/job/salvage_job.h"
-#include "tools/job_text.h"
+#include "tools/job_commands.h"
 
 namespace spool::tools {
 namespace {
-
-struct JobOptions {
-  std::string job, design, spool, out, gap_rule = "none";
-  double root_gap_mm = 0;
-  std::vector<int> move;
-  int step = 0;
-  std::string report, outcome, phase = "after-tack", remark, operator_name, override_reason,
-                               picture;
-  bool csv = false, jsonl = false;
-};
-
-Result<int> make(const JobOptions& options) {
-  const auto rule = guide::parse_gap_rule(options.gap_rule);
-  const std::filesystem::path folder =
-      options.out.empty()
-          ? std::filesystem::path(std::filesystem::path(options.design).stem().string() +
-                                  (options.spool.empty() ? "" : "-" + options.spool) + ".spooljob")
-          : std::filesystem::path(options.out);
-  const job::NewJob made{options.design,
-                         options.spool,
-                         {rule.value_or(guide::GapRule::kNone), options.root_gap_mm / 1000}};
-  if (Status done = job::create_job(folder, made); !done) return done.error();
-  std::cout << "made " << folder.string() << "\n";
-  return 0;
-}
-
-Result<int> show(const JobOptions& options) {
-  const auto job = job::Job::open(options.job, job::JobUse::kLook);
-  if (!job) return job.error();
-  std::cout << job_text(*job);
-  return job->damage().empty() ? Result<int>(0)
-                               : Result<int>(Error{ErrorCode::kBadInput, job->damage()});
-}
-
-Result<job::Job> work_on(const JobOptions& options) {
-  auto job = job::Job::open(options.job, job::JobUse::kWork);
-  if (job && !job->taken_over_from().empty())
-    std::cerr << "taken over from " << job->taken_over_from() << ", which ended without closing\n";
-  return job;
-}
-
-Result<int> order(const JobOptions& options) {
-  auto job = work_on(options);
-  if (!job) return job.error();
-  if (Status done = job->move_step(options.move[0] - 1, options.move[1] - 1); !done)
-    return done.error();
-  std::cout << job_text(*job);
-  return 0;
-}
-
-Result<int> check(const JobOptions& options) {
-  auto job = work_on(options);
-  if (!job) return job.error();
-  if (options.step < 1 || options.step > static_cast<int>(job->steps().size()))
-    return Error{ErrorCode::kUsage,
-                 "--step: the job has steps 1 to " + std::to_string(job->steps().size())};
-  const int part = job->steps()[static_cast<std::size_t>(options.step - 1)].part;
-  auto record =
-      job::check_from_report(options.report, job->design().parts[static_cast<std::size_t>(part)],
-                             job->file().design_sha256);
-  if (!record) return record.error();
-  record->outcome = job::parse_outcome(options.outcome).value_or(job::Outcome::kRedo);
-  record->phase = job::parse_phase(options.phase).value_or(job::Phase::kAfterTack);
-  record->remark = options.remark;
-  record->operator_name = options.operator_name;
-  record->override_reason = options.override_reason;
-  record->picture = options.picture;
-  record->at = job::now();
-  const auto id = job->add(options.step - 1, *record);
-  if (!id) return id.error();
-  std::cout << "check " << *id << " of step " << options.step
-            << " is in the journal: " << options.outcome << ", measured " << record->status << "\n";
-  return 0;
-}
-
-Result<int> write_out(const JobOptions& options) {
-  if (options.csv == options.jsonl)
-    return Error{ErrorCode::kUsage, "export: give one of --csv and --jsonl"};
-  const auto job = job::Job::open(options.job, job::JobUse::kLook);
-  if (!job) return job.error();
-  if (!job->damage().empty()) return Error{ErrorCode::kBadInput, job->damage()};
-  std::cout << (options.csv ? job::csv_text(job->file(), job->records())
-                            : job::json_lines(job->file(), job->records()));
-  return 0;
-}
-
-Result<int> salvage(const JobOptions& options) {
-  const auto salvaged = job::salvage_job(options.job);
-  if (!salvaged) return salvaged.error();
-  std::cout << "salvaged " << salvaged->found.checks << " checks with " << salvaged->found.numbers
-            << " numbers, the last of them check " << salvaged->found.last_id
-            << "; the damaged journal is kept as " << salvaged->kept.string() << "\n";
-  return 0;
-}
 
 CLI::App* command(CLI::App& app, const char* name, const char* what, std::string& job) {
   CLI::App* made = app.add_subcommand(name, what);
   made->add_option("job", job, "The job's folder")->required()->type_name("NAME.spooljob");
   return made;
+}
+
+// What check and capture have in common.
+void add_check_options(CLI::App& command, JobOptions& o, const char* report) {
+  command.add_option("--step", o.step, "The step, from 1")->required();
+  command.add_option("--report", o.report, report)->required();
+  command.add_option("--outcome", o.outcome, "What is made of it")
+      ->required()
+      ->check(CLI::IsMember({"accept", "remark", "redo"}));
+  command.add_option("--phase", o.phase, "When it was measured")
+      ->check(CLI::IsMember({"before-tack", "after-tack", "before-weld", "after-weld"}))
+      ->capture_default_str();
+  command.add_option("--remark", o.remark, "Needed for the outcome remark")->type_name("TEXT");
+  command
+      .add_option("--override", o.override_reason,
+                  "Why a step that is not_ok, not_measured or before its time is accepted")
+      ->type_name("REASON");
 }
 
 }  // namespace
@@ -146,21 +61,20 @@ int main(int argc, char** argv) {
       ->expected(2)
       ->type_name("N M");
   CLI::App* check = tools::command(app, "check", "Write a check of a step into the journal", o.job);
-  check->add_option("--step", o.step, "The step, from 1")->required();
-  check->add_option("--report", o.report, "report.json of spoolsight-inspect")->required();
-  check->add_option("--outcome", o.outcome, "What is made of it")
-      ->required()
-      ->check(CLI::IsMember({"accept", "remark", "redo"}));
-  check->add_option("--phase", o.phase, "When it was measured")
-      ->check(CLI::IsMember({"before-tack", "after-tack", "before-weld", "after-weld"}))
-      ->capture_default_str();
-  check->add_option("--remark", o.remark, "Needed for the outcome remark")->type_name("TEXT");
+  tools::add_check_options(*check, o, "report.json of spoolsight-inspect");
   check->add_option("--operator", o.operator_name, "Who checked")->type_name("NAME");
   check->add_option("--picture", o.picture, "A picture's file below the job's evidence/");
-  check
-      ->add_option("--override", o.override_reason,
-                   "Why a step that is not_ok, not_measured or before its time is accepted")
-      ->type_name("REASON");
+  CLI::App* capture = tools::command(
+      app, "capture", "Write a check, and keep all that it rests on in evidence/", o.job);
+  tools::add_check_options(*capture, o, "Folder that spoolsight-inspect wrote");
+  capture->add_option("--operator", o.operator_name, "Who checked")->required()->type_name("NAME");
+  capture->add_option("--scan", o.scan, "The scan of the report; else where the report says")
+      ->type_name("PATH");
+  capture->add_option("--key", o.key, "Key to sign with, of keygen")->type_name("FILE");
+  CLI::App* keygen = app.add_subcommand("keygen", "Make a key to sign captures with");
+  keygen->add_option("-o,--out", o.out, "The key's file; FILE.pub gets the public key")
+      ->required()
+      ->type_name("FILE");
   CLI::App* out = tools::command(app, "export", "Write all checks to stdout", o.job);
   out->add_flag("--csv", o.csv, "A row a number");
   out->add_flag("--jsonl", o.jsonl, "A JSON object a line: checks, then joints");
@@ -174,6 +88,8 @@ int main(int argc, char** argv) {
     if (show->parsed()) return tools::show(o);
     if (order->parsed()) return tools::order(o);
     if (check->parsed()) return tools::check(o);
+    if (capture->parsed()) return tools::capture(o);
+    if (keygen->parsed()) return tools::keygen(o);
     if (out->parsed()) return tools::write_out(o);
     assert(salvage->parsed());
     return tools::salvage(o);
