@@ -165,13 +165,16 @@ Result<Captured> capture(job::Job& job, const CaptureRequest& request) {
               .time_s = std::floor(record->at.wall_s),
               .spool = job.file().spool,
               .check = *record,
-              .checks_sha256 = job::checks_sha256(job.records()),
+              .checks_sha256 = "",
               .design = job.file().design,
               .design_sha256 = job.file().design_sha256,
               .options = request.options,
               .context = request.context,
               .files = {}};
   entry.check.id = captured.check_id;
+  std::vector<job::CheckRecord> checks = job.records();
+  checks.push_back(entry.check);
+  entry.checks_sha256 = job::checks_sha256(checks);
   const fs::path staging = evidence / staging_name(captured.number);
   const auto failed = [&](const Error& error) {
     fs::remove_all(staging, code);

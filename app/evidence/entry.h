@@ -27,7 +27,7 @@ struct Entry {
   double time_s = 0;            // since 1970, UTC, whole seconds
   std::string spool;
   job::CheckRecord check;     // step, part, joint, phase, outcome, operator ...; id as it will get
-  std::string checks_sha256;  // over all checks of the journal before it
+  std::string checks_sha256;  // over all checks of the journal, its own the last
   std::string design, design_sha256;           // file of the job
   std::map<std::string, std::string> options;  // that replay takes; files relative to the entry
   nlohmann::json context;                      // pose, datum, rules, sensor, software: the report's
