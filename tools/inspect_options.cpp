@@ -111,10 +111,9 @@ Status check(const InspectOptions& options) {
   if (!options.sensor_check.empty()) {
     if (!options.designs.empty() || !options.scan.empty())
       return usage("--sensor-check looks at a bare wall; give it without --design and --scan");
+    if (options.out.empty()) return usage("--out is required");
     return {};
   }
-  if (options.designs.empty()) return usage("--design is required");
-  if (options.scan.empty()) return usage("--scan is required");
   if (options.designs.size() > 1 && method_text(options) != "find")
     return usage(
         "--design is given " + std::to_string(options.designs.size()) +
