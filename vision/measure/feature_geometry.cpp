@@ -18,22 +18,21 @@ constexpr double kParallel = 0.956;
 
 Vector3d axis_of(const Pose& pose) { return pose.linear().col(2); }
 
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+}  // namespace
+
 Vector3d line_meets_plane(const Pose& line, const Pose& plane) {
   const Vector3d n = axis_of(plane), d = axis_of(line);
   const double along = n.dot(plane.translation() - line.translation()) / n.dot(d);
   return line.translation() + along * d;
 }
 
-// The point of line `a` that is nearest to line `b`.
 Vector3d nearest_on(const Pose& a, const Pose& b) {
   const Vector3d u = axis_of(a), v = axis_of(b), w = b.translation() - a.translation();
   const double c = u.dot(v);
   return a.translation() + (u.dot(w) - c * v.dot(w)) / (1 - c * c) * u;
 }
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-}  // namespace
 
 int FeatureGeometry::axis_near(int node, int leg) const {
   const DrawingLeg& along = drawing_.legs[at(leg)];
@@ -147,7 +146,8 @@ std::function<double(const FeatureState&)> turn_of_holes(int feature, const Fram
 }
 
 Propagated propagate(const std::function<Eigen::VectorXd(const FeatureState&)>& function,
-                     const PartFeatures& features, const FeatureState& measured) {
+                     const PartFeatures& features, const FeatureState& measured,
+                     std::span<const int> only) {
   Propagated result;
   result.value = function(measured);
   const auto rows = result.value.size();
@@ -155,7 +155,9 @@ Propagated propagate(const std::function<Eigen::VectorXd(const FeatureState&)>& 
   constexpr double kStep = 1e-5;   // m, rad: functions of metres are straight over it
   constexpr double kHolds = 1e-6;  // a slope under it is none
   FeatureState moved = measured;
-  for (std::size_t f = 0; f < features.features.size(); ++f) {
+  const std::size_t count = only.empty() ? features.features.size() : only.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t f = only.empty() ? i : at(only[i]);
     const PartFeature& feature = features.features[f];
     Eigen::MatrixXd slope(rows, 6);
     for (int k = 0; k < 6; ++k) {

@@ -59,6 +59,11 @@ class FeatureGeometry {
   const PartFeatures& features_;
 };
 
+// Where the z axis of `line` meets the plane across z of `plane`; the point of the z axis of `a`
+// that is nearest to that of `b`. In the frame of both, m; nothing finite where they are parallel.
+[[nodiscard]] Eigen::Vector3d line_meets_plane(const Pose& line, const Pose& plane);
+[[nodiscard]] Eigen::Vector3d nearest_on(const Pose& a, const Pose& b);
+
 // How far (rad) the feature of holes stands turned from where the drawing has it in `frame`,
 // right-handed about the feature's z and between -pi and pi: of what is read modulo their pitch, as
 // if the first hole had been known. 0 of the nominal state.
@@ -72,8 +77,9 @@ struct Propagated {
   Eigen::MatrixXd fit, warp;
   bool is_determined = true;  // false: it moves with something that no feature holds
 };
+// `only`: the features that it depends on; empty: all are tried.
 [[nodiscard]] Propagated propagate(
     const std::function<Eigen::VectorXd(const FeatureState&)>& function,
-    const PartFeatures& features, const FeatureState& measured);
+    const PartFeatures& features, const FeatureState& measured, std::span<const int> only = {});
 
 }  // namespace spool
