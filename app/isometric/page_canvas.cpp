@@ -176,10 +176,10 @@ void PageCanvas::image(const render::Image& image, double x, double y, double wi
   cairo_restore(cairo);
 }
 
-Result<std::string> draw_pdf(const Pages& pages, const std::string& title) {
+Result<std::string> draw_pdf(const Pages& pages, const std::string& title, const PageSize& size) {
   std::string bytes;
   cairo_surface_t* surface = cairo_pdf_surface_create_for_stream(
-      append, &bytes, kPageWidth_mm / kPoint_mm, kPageHeight_mm / kPoint_mm);
+      append, &bytes, size.width_mm / kPoint_mm, size.height_mm / kPoint_mm);
   // Without one cairo would write the clock's.
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
@@ -199,10 +199,11 @@ Result<std::string> draw_pdf(const Pages& pages, const std::string& title) {
   return bytes;
 }
 
-Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page, double dpi) {
+Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page, double dpi,
+                                const PageSize& size) {
   render::Image image;
-  image.width = static_cast<int>(std::lround(kPageWidth_mm / 25.4 * dpi));
-  image.height = static_cast<int>(std::lround(kPageHeight_mm / 25.4 * dpi));
+  image.width = static_cast<int>(std::lround(size.width_mm / 25.4 * dpi));
+  image.height = static_cast<int>(std::lround(size.height_mm / 25.4 * dpi));
   cairo_surface_t* surface =
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height);
   PageCanvas canvas(std::make_unique<PageCanvas::Impl>(surface));
@@ -235,6 +236,27 @@ double text_width_mm(const std::string& utf8, double height_mm) {
   PageCanvas canvas(
       std::make_unique<PageCanvas::Impl>(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1)));
   return canvas.text_width(utf8, height_mm);
+}
+
+std::vector<std::string> wrapped_lines(const std::string& utf8, double height_mm, double room_mm,
+                                       bool is_bold) {
+  std::vector<std::string> lines;
+  if (utf8.empty()) return lines;
+  PageCanvas canvas(
+      std::make_unique<PageCanvas::Impl>(cairo_image_surface_create(CAIRO_FORMAT_RGB24, 1, 1)));
+  PangoLayout* layout = canvas.impl_->layout.get();
+  canvas.impl_->set(utf8, height_mm, is_bold, room_mm);
+  pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_NONE);
+  pango_layout_set_single_paragraph_mode(layout, FALSE);
+  pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+  const std::string text = pango_layout_get_text(layout);  // what is no UTF-8 was replaced
+  for (const GSList* each = pango_layout_get_lines_readonly(layout); each != nullptr;
+       each = each->next) {
+    const auto* line = static_cast<const PangoLayoutLine*>(each->data);
+    lines.push_back(text.substr(static_cast<std::size_t>(line->start_index),
+                                static_cast<std::size_t>(line->length)));
+  }
+  return lines;
 }
 
 }  // namespace spool::isometric

@@ -16,6 +16,10 @@ namespace spool::isometric {
 
 inline constexpr double kPageWidth_mm = 420, kPageHeight_mm = 297;  // A3 landscape, ISO 216
 
+struct PageSize {
+  double width_mm = kPageWidth_mm, height_mm = kPageHeight_mm;
+};
+
 enum class TextAlign { kLeft, kCentre, kRight };
 
 // One page at a time, millimetres, y down. One thread.
@@ -41,9 +45,12 @@ class PageCanvas {
 
  private:
   friend Result<std::string> draw_pdf(const std::vector<std::function<void(PageCanvas&)>>& pages,
-                                      const std::string& title);
-  friend Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page, double dpi);
+                                      const std::string& title, const PageSize& size);
+  friend Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page, double dpi,
+                                         const PageSize& size);
   friend double text_width_mm(const std::string& utf8, double height_mm);
+  friend std::vector<std::string> wrapped_lines(const std::string& utf8, double height_mm,
+                                                double room_mm, bool is_bold);
   struct Impl;
   explicit PageCanvas(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
@@ -53,13 +60,19 @@ using Pages = std::vector<std::function<void(PageCanvas&)>>;
 
 // The bytes of a PDF. No clock is read, so that equal sheets are equal files. kInternal where cairo
 // fails.
-[[nodiscard]] Result<std::string> draw_pdf(const Pages& pages, const std::string& title);
+[[nodiscard]] Result<std::string> draw_pdf(const Pages& pages, const std::string& title,
+                                           const PageSize& size = {});
 
 // A page as a picture.
 [[nodiscard]] Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page,
-                                              double dpi);
+                                              double dpi, const PageSize& size = {});
 
 // The width (mm) of a text on any page; for laying out before one is drawn.
 [[nodiscard]] double text_width_mm(const std::string& utf8, double height_mm);
+
+// The lines that a text takes in `room_mm`: broken between words, in a word that is longer than the
+// room, and where the text has line ends. An empty text is no line.
+[[nodiscard]] std::vector<std::string> wrapped_lines(const std::string& utf8, double height_mm,
+                                                     double room_mm, bool is_bold = false);
 
 }  // namespace spool::isometric

@@ -65,6 +65,28 @@ TEST(PageCanvas, WidthsGrowWithTheLettersNotByWholeMillimetres) {
   EXPECT_NEAR(two, 2 * one, 0.02 * two);  // hinting is off
 }
 
+TEST(PageCanvas, WrappedLinesFitTheirRoomAndLoseNoLetter) {
+  const std::string text = "Bride à collerette " + std::string(60, 'W') + "\nsecond é <b>&";
+  const auto lines = isometric::wrapped_lines(text, 2.5, 40);
+  std::string all;
+  for (const std::string& each : lines) {
+    EXPECT_LE(isometric::text_width_mm(each, 2.5), 40.5) << each;  // a space may hang over
+    all += each;
+  }
+  std::string expected = text;
+  std::erase(expected, '\n');
+  EXPECT_EQ(all, expected);
+  EXPECT_EQ(lines.back(), "second é <b>&");
+  EXPECT_TRUE(isometric::wrapped_lines("", 2.5, 40).empty());
+}
+
+TEST(PageCanvas, APageIsAsLargeAsAskedFor) {
+  const auto image = isometric::draw_page([](PageCanvas&) {}, 25.4, {210, 297});
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->width, 210);
+  EXPECT_EQ(image->height, 297);
+}
+
 TEST(PageCanvas, EqualPagesAreEqualFiles) {
   const isometric::Pages pages{[](PageCanvas& page) { page.text("W1", 20, 20, 3); },
                                [](PageCanvas& page) { page.line(0, 0, 10, 10, 0.5); }};
