@@ -31,8 +31,9 @@ MAY_INCLUDE = {
     "app/job": VISION + GUIDE + ["vision", "app/common", "app/job"],
     "app/evidence": VISION + GUIDE + ["vision", "render", "app/common", "app/sensor", "app/job", "app/evidence"],
     "app/isometric": VISION + GUIDE + ["vision", "render", "app/common", "app/job", "app/isometric"],
+    "app/ncr": VISION + GUIDE + ["vision", "render", "app/common", "app/job", "app/evidence", "app/isometric", "app/ncr"],
     "tools": VISION + GUIDE + ["vision", "vision/live", "render", "app/common", "app/sensor", "app/job", "app/evidence",
-              "app/isometric", "tools"],
+              "app/isometric", "app/ncr", "tools"],
     "app": None,    # joins everything
     "tests": None,
 }
@@ -52,6 +53,7 @@ ONLY_IN = {
     r"spdlog|fmt/": ["app", "tools"],
     r"nlohmann/": ["app", "tools", "tests", "render"],
     r"cairo|pango/": ["app/isometric/page_canvas.cpp"],
+    r"zip\.h": ["app/ncr/zip_bytes.cpp", "tests/app/ncr"],
     r"X11/": ["app"],
     r"png\.h": ["render", "app/sensor", "tests"],
     r"open3d/": ["tools/compare/open3d_cloud.h", "tools/compare/open3d_icp.cpp",

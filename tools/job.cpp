@@ -9,6 +9,7 @@
 
 #include "app/common/cli.h"
 #include "tools/job_commands.h"
+#include "tools/job_ncr.h"
 
 namespace spool::tools {
 namespace {
@@ -80,6 +81,7 @@ int main(int argc, char** argv) {
   out->add_flag("--jsonl", o.jsonl, "A JSON object a line: checks, then joints");
   CLI::App* salvage =
       tools::command(app, "salvage", "Copy what can be read of a damaged journal", o.job);
+  const auto ncr = tools::add_ncr_command(app);
   app.footer(
       "Exit code: 0 done; 64 usage or not accepted, 65 bad input, 70 internal, 74 read or write "
       "failed.");
@@ -91,6 +93,7 @@ int main(int argc, char** argv) {
     if (capture->parsed()) return tools::capture(o);
     if (keygen->parsed()) return tools::keygen(o);
     if (out->parsed()) return tools::write_out(o);
+    if (app.got_subcommand("ncr")) return ncr();
     assert(salvage->parsed());
     return tools::salvage(o);
   });

@@ -1,0 +1,25 @@
+// All files of a non-conformance report.
+// SPDX-FileCopyrightText: SpoolSight contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/ncr/ncr_writer.h"
+
+#include "app/ncr/ncr_bcf.h"
+#include "app/ncr/ncr_html.h"
+#include "app/ncr/ncr_json.h"
+#include "app/ncr/ncr_pdf.h"
+
+namespace spool::ncr {
+
+Result<std::vector<NcrFile>> ncr_files(NcrDocument document, const std::string& number) {
+  set_number(number, document);
+  auto pdf = ncr_pdf(document);
+  if (!pdf) return pdf.error();
+  auto bcf = ncr_bcf(document);
+  if (!bcf) return bcf.error();
+  return std::vector<NcrFile>{{number + ".pdf", *std::move(pdf)},
+                              {number + ".html", ncr_html(document)},
+                              {number + ".json", ncr_json(document)},
+                              {number + ".bcfzip", *std::move(bcf)}};
+}
+
+}  // namespace spool::ncr
