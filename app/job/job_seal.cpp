@@ -4,10 +4,12 @@
 #include "app/job/job_seal.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <set>
 #include <system_error>
 
+#include <fcntl.h>
 #include <sys/stat.h>
 
 #include "app/common/json_file.h"
@@ -60,7 +62,14 @@ Status write_seal(const fs::path& folder) {
   const fs::path path = folder / kSealFile;
   const nlohmann::json seal = {
       {"schema", kSchema}, {"sealed_s", sealed_s}, {"files", facts_json(files)}};
-  return write_file_whole(path, sealed_text(seal));
+  if (Status written = write_file_whole(path, sealed_text(seal)); !written) return written;
+  const timespec at{static_cast<time_t>(sealed_s), 0};
+  const timespec times[2] = {at, at};
+  if (::utimensat(AT_FDCWD, path.c_str(), times, AT_SYMLINK_NOFOLLOW) != 0)
+    return Error{ErrorCode::kIo, path.string() + ": cannot be dated (" +
+                                     std::generic_category().message(errno) +
+                                     "); check its rights"};
+  return {};
 }
 
 std::vector<Change> seal_changes(const fs::path& folder) {
