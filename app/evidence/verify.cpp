@@ -234,7 +234,9 @@ void Verification::find_added() {
     constexpr std::string_view kBegun = "evidence/.capture-";
     if (file.starts_with("journal.damaged-") && file.find('/') == std::string::npos)
       continue;  // the seal has it
-    if (file.starts_with(kBegun)) {
+    if (is_open_ && job::is_half_written(file)) {
+      verified_.notes.push_back(file + " was being written when a program ended");
+    } else if (file.starts_with(kBegun)) {
       begun.insert(file.substr(0, file.find('/', kBegun.size())));
     } else if (pictures.contains(file)) {
       verified_.notes.push_back(file + " is a check's picture that no entry holds");

@@ -34,6 +34,7 @@ Result<Job> Job::open(const std::filesystem::path& folder, JobUse use) {
   if (use == JobUse::kWork) {
     auto taken = JobLock::take(folder / "lock");
     if (!taken) return taken.error();
+    clear_half_written(folder);
     lock.emplace(*std::move(taken));
     file = read_job_file(folder / "job.json");  // as the holder before us left it
     if (!file) return file.error();

@@ -48,7 +48,21 @@ Change seal_is(Change::Kind kind, const std::string& text) { return {kind, kSeal
 
 bool is_unsealed(const std::string& file) {
   return file == "lock" || file == kSealFile || file == "journal.db-wal" ||
-         file == "journal.db-shm" || file.find(".part-") != std::string::npos;
+         file == "journal.db-shm" || is_half_written(file);
+}
+
+bool is_half_written(const std::string& file) {
+  return (file.starts_with("job.json.part-") || file.starts_with("seal.json.part-")) &&
+         file.find('/') == std::string::npos;
+}
+
+void clear_half_written(const fs::path& folder) {
+  std::error_code code;
+  std::vector<fs::path> half;
+  for (const auto& entry : fs::directory_iterator(folder, code)) {
+    if (is_half_written(entry.path().filename().string())) half.push_back(entry.path());
+  }
+  for (const fs::path& each : half) fs::remove(each, code);
 }
 
 Status write_seal(const fs::path& folder) {

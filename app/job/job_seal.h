@@ -18,6 +18,12 @@ inline constexpr char kSealFile[] = "seal.json";
 // keeps beside an open journal.
 [[nodiscard]] bool is_unsealed(const std::string& file);
 
+// True for what a program leaves in the job's folder that dies while it writes job.json or the
+// seal.
+[[nodiscard]] bool is_half_written(const std::string& file);
+// Removes that. Only for who holds the job's lock.
+void clear_half_written(const std::filesystem::path& folder);
+
 // Writes seal.json over every other file that lies in the folder itself (evidence/ has entries of
 // its own). It is dated with the time that it holds. kIo: nothing changed.
 [[nodiscard]] Status write_seal(const std::filesystem::path& folder);
