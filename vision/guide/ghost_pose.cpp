@@ -29,13 +29,14 @@ Vector6d small_of(const Pose& pose) {
   return small;
 }
 
+// A neighbour known beyond doubt has no inverse: nothing is known better than a micrometre and a
+// microradian.
+constexpr double kSurest = 1e-6;
+
 // The mean of poses by their information: Gauss-Newton on the small motions that are left.
 Prediction mean_of(const std::vector<Prediction>& predictions) {
   Prediction mean = predictions.front();
   if (predictions.size() == 1) return mean;
-  // A neighbour known beyond doubt has no inverse: nothing is known better than a micrometre and
-  // a microradian.
-  constexpr double kSurest = 1e-6;
   for (int round = 0; round < 10; ++round) {
     Matrix6d information = Matrix6d::Zero();
     Vector6d pull = Vector6d::Zero();
@@ -54,13 +55,13 @@ Prediction mean_of(const std::vector<Prediction>& predictions) {
   return mean;
 }
 
-// The standard uncertainty of |v| for a covariance of v; of no direction, the largest there is.
+// The standard uncertainty of |v| for a covariance of v: what is said of motions like v itself, so
+// that a direction of which nothing is known hides nothing that is; of what may be chance in any
+// direction, the largest there is.
 double u_of_length(const Eigen::Vector3d& v, const Eigen::Matrix3d& covariance) {
-  const double length = v.norm();
-  const double largest = largest_sigma(covariance);
-  if (length <= largest) return largest;
-  const Eigen::Vector3d along = v / length;
-  return std::sqrt(std::max(0.0, along.dot(covariance * along)));
+  const Eigen::Matrix3d doubt = covariance + kSurest * kSurest * Eigen::Matrix3d::Identity();
+  const double squared = v.dot(doubt.ldlt().solve(v));
+  return squared <= 1 ? largest_sigma(doubt) : v.norm() / std::sqrt(squared);
 }
 
 }  // namespace
