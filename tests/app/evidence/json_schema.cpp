@@ -51,9 +51,9 @@ class Checker {
       expect(std::find(rule.begin(), rule.end(), value) != rule.end(), place,
              value.dump() + " is not in the list");
     } else if (keyword == "required") {
+      if (!value.is_object()) return;  // what it has to be, "type" says
       for (const auto& key : rule)
-        expect(value.is_object() && value.contains(key.get<std::string>()), place,
-               "lacks " + key.dump());
+        expect(value.contains(key.get<std::string>()), place, "lacks " + key.dump());
     } else if (keyword == "properties") {
       if (!value.is_object()) return;
       for (const auto& [key, member] : value.items()) {
