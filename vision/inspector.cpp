@@ -23,6 +23,7 @@
 #include "vision/measure/gauges.h"
 #include "vision/measure/joint_errors.h"
 #include "vision/measure/judge_dimensions.h"
+#include "vision/measure/part_poses.h"
 #include "vision/measure/sensor_findings.h"
 #include "vision/measure/warp_check.h"
 
@@ -127,9 +128,13 @@ void measure_drawing(const DesignModel& design, const InspectorOptions& options,
   check_sizes(design, features, nothing_ok, inspection.parts);
   inspection.dimensions = std::move(measured.dimensions);
   inspection.datum = std::move(measured.datum);
-  inspection.chain = measure_joints(design, drawing, features, options.rules,
-                                    std::hypot(scale_u, correction),  // they are not corrected
-                                    watch);
+  const double sensor_u = std::hypot(scale_u, correction);  // these are not corrected
+  inspection.chain = measure_joints(design, drawing, features, options.rules, sensor_u, watch);
+  std::vector<PartPose> poses =
+      measure_part_poses(design, drawing, features, options.rules, sensor_u, watch);
+  for (PartFinding& finding : inspection.parts)
+    if (const auto part = static_cast<std::size_t>(finding.part); part < poses.size())
+      finding.pose = std::move(poses[part]);
   // Where a unit was guessed or another pose fits as well, nothing is proposed.
   if (nothing_ok.empty()) inspection.chain.bumps = bumps_for(design, inspection.chain);
   inspection.chain.fit_ups = fit_ups(design, features);

@@ -10,6 +10,7 @@
 #include "app/common/length_text.h"
 #include "app/evidence/html_parts.h"
 #include "app/evidence/joints_report.h"
+#include "app/evidence/part_pose_report.h"
 #include "app/evidence/writer.h"
 #include "vision/core/version.h"
 
@@ -103,7 +104,8 @@ std::string part_rows(const Part& part, const PartFinding& finding, LengthStyle 
       count_text(deviation.points) + "</td>";
   html += cell(deviation.mean_m, true) + cell(deviation.rms_m, false) +
           cell(deviation.p95_abs_m, false) + cell(deviation.max_abs_m, false) + "</tr>\n";
-  return html + "<tr class=\"why\"><td colspan=\"9\">" + escaped(finding.reason) + "</td></tr>\n";
+  return html + "<tr class=\"why\"><td colspan=\"9\">" +
+         escaped(finding.reason + pose_words(finding.pose, style)) + "</td></tr>\n";
 }
 
 // Worst first; among equal statuses the one that lies furthest off.

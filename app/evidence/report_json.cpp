@@ -8,6 +8,7 @@
 
 #include "app/common/json_file.h"
 #include "app/evidence/joints_report.h"
+#include "app/evidence/part_pose_report.h"
 #include "app/evidence/writer.h"
 #include "vision/core/version.h"
 
@@ -205,7 +206,9 @@ json part_json(const Part& part, const PartFinding& finding) {
             {"rms_m", measured(deviation.rms_m)},
             {"p95_abs_m", measured(deviation.p95_abs_m)},
             {"max_abs_m", measured(deviation.max_abs_m)}}},
-          {"size_checks", size_checks_json(finding.size_checks)}};
+          {"size_checks", size_checks_json(finding.size_checks)},
+          {"pose_error", pose_error_json(finding.pose)},
+          {"pose_error_reason", finding.pose.reason}};
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "vision/inspect/deviation.h"
 #include "vision/inspect/dimension.h"
 #include "vision/inspect/joint_error.h"
+#include "vision/inspect/part_pose.h"
 #include "vision/inspect/sensor_evidence.h"
 #include "vision/inspect/unexpected.h"
 #include "vision/inspect/verdict.h"
@@ -51,6 +52,7 @@ struct PartFinding {
   std::string reason;  // why not better, and what would settle it
   PartDeviation deviation;
   std::vector<SizeCheck> size_checks;
+  PartPose pose;  // where it stands, the datum aligned
 };
 
 struct Finding {

@@ -17,7 +17,7 @@ constexpr char kReport[] = R"({"schema": "spoolsight-report/1", "design": {"sha2
             "pose_error": {"translation_m": [0.001, 0, 0], "rotation_rad": [0, 0, 0.01]},
             "size_checks": [{"quantity": "diameter", "nominal_m": 0.1143, "measured_m": 0.115,
                              "u_m": 0.0002, "status": "ok"}]},
-           {"name": "pipe-11", "status": "ok", "size_checks": []}],
+           {"name": "pipe-11", "status": "ok", "pose_error": null, "size_checks": []}],
  "dimensions": [
   {"name": "length", "kind": "centre_to_face", "from": "elbow-1/centre", "to": "pipe-1/end",
    "nominal_m": 0.5, "measured_m": 0.503, "deviation_m": 0.003, "u_m": 0.0004,
