@@ -248,28 +248,33 @@ TEST(PartPoses, AreLessSureTheFurtherFromTheDatum) {
 
 TEST(PartPoses, AreRelativeToTheDatum) {
   DesignModel design = test::three_leg_spool();
-  // Elbow_2 is closed by 1.2 degrees: seen from either end, the legs beyond it lean.
+  // Elbow_2 is closed by 1.2 degrees. Without holes flange A is turned by the far face, which takes
+  // a part of that; flange B by the near one, which lies on the axis that the leg is turned about.
   const std::vector<Pose> built =
       test::legs_moved_from(test::kLeg3, turned({0.8, 0, 0.65}, Vector3d::UnitZ(), 1.2));
   const PartFeatures features = test::features_of_legs(design, built, 1);
   const std::vector<PartPose> from_a = poses_of(design, features);
-  EXPECT_FALSE(from_a[test::kLeg2].is_off);
+  const std::vector<Vector6d> truth_a = truth_of(design, features, built);
+  EXPECT_FALSE(from_a[test::kLeg1].is_off);
   EXPECT_TRUE(from_a[test::kLeg3].is_off);
-  EXPECT_NEAR(from_a[test::kLeg3].error[5], 1.2 * kDegree,
-              3 * std::sqrt(from_a[test::kLeg3].covariance(5, 5)));
+  EXPECT_LT(squared_in_sigmas(from_a[test::kLeg3], truth_a[test::kLeg3]), 25);
   design.datums = {test::kLegFlangeB};
   const std::vector<PartPose> from_b = poses_of(design, features);
+  const std::vector<Vector6d> truth_b = truth_of(design, features, built);
   EXPECT_TRUE(from_b[test::kLeg2].is_off);
   EXPECT_FALSE(from_b[test::kLeg3].is_off);
+  EXPECT_LT(squared_in_sigmas(from_b[test::kLeg2], truth_b[test::kLeg2]), 25);
   EXPECT_NEAR(from_b[test::kLeg2].error[5], -1.2 * kDegree,
               3 * std::sqrt(from_b[test::kLeg2].covariance(5, 5)));
+  EXPECT_GT(std::abs(from_b[test::kLeg2].error[5] - from_a[test::kLeg2].error[5]), 0.3 * kDegree);
 }
 
 TEST(PartPoses, OfAFlangeHoldItsTurnByItsHolesAndItsTiltByItsFace) {
   DesignModel design = test::holed_spool(8);
   design.datums = {test::kFlangeA};
-  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 3; ++seed) {
     test::HoledScan built;
+    built.spool.per_square_metre = 100000;  // 3 mm apart, as holes of 19 mm want
     // Its own x is the design's y: tilted about that by 0.8 degrees in its face's middle, and
     // turned in its face.
     built.spool.T_design_built[test::kFlangeB] = turned({0.68, 0, 0.65}, Vector3d::UnitY(), 0.8);
@@ -284,7 +289,8 @@ TEST(PartPoses, OfAFlangeHoldItsTurnByItsHolesAndItsTiltByItsFace) {
     EXPECT_NEAR(flange.error[3], 0.8 * kDegree, 3 * sigma(3)) << seed;
     EXPECT_NEAR(flange.error[5], 2 * kDegree, 3 * sigma(5)) << seed;
     EXPECT_LT(sigma(3), 0.1 * kDegree);
-    EXPECT_LT(sigma(5), 1.0 * kDegree);
+    EXPECT_LT(sigma(5), 1.0 * kDegree);  // a quarter of 3 mm round the circle of both
+
     EXPECT_TRUE(flange.is_off);
   }
 }
