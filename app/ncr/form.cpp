@@ -107,16 +107,16 @@ std::vector<FormField> empty_form() {
   form.add("text", "Component, spool number (SCN), what is installed, what the isometric requires",
            Kind::kText, Source::kReport);
   form.block("recommended_action");
-  form.add("action", "Recommended action", Kind::kChoice, Source::kPerson,
+  form.add("action", "Check one", Kind::kChoice, Source::kPerson,
            {"Scrap", "Rework", "Use as is", "Return"});
   form.block("root_cause");
-  form.add("text", "Root cause", Kind::kText);
+  form.add("text", "What led to it", Kind::kText);
   form.row();
   form.add("inspector", "Inspector", Kind::kLine, Source::kOperator);
   form.add("signature", "Signature", Kind::kSignature);
   form.add("date", "Date");
   form.block("proposed_disposition");
-  form.add("text", "Proposed disposition", Kind::kText);
+  form.add("text", "What is to be done", Kind::kText);
   form.row();
   form.add("name", "Name");
   form.add("signature", "Signature", Kind::kSignature);

@@ -68,13 +68,13 @@ void draw_cell(Cell& cell, double top, double height, bool goes_on, PageFlow& fl
   const FormField& field = *cell.field;
   flow.box(cell.x, top, cell.width, height);
   flow.text(field.label + (goes_on ? " (continued)" : ""), cell.x + kPad_mm, top + 2.2, kLabel_mm);
+  if (field.value.empty() && field.kind != FieldKind::kSignature)
+    flow.text(std::string(kToFillIn), cell.x + cell.width - kPad_mm, top + 2.2, 1.4, false,
+              isometric::TextAlign::kRight);
   if (field.kind == FieldKind::kChoice) {
     draw_choices(cell, top + kLabelRoom_mm + 1.8, flow);
     return;
   }
-  if (field.value.empty() && field.kind != FieldKind::kSignature)
-    flow.text(std::string(kToFillIn), cell.x + cell.width - kPad_mm, top + 2.2, 1.4, false,
-              isometric::TextAlign::kRight);
   double y = top + kLabelRoom_mm;
   while (cell.next < cell.lines.size() && y + line_mm(kBody_mm) <= top + height + 0.01) {
     flow.text(cell.lines[cell.next++], cell.x + kPad_mm, y + 0.5 * line_mm(kBody_mm), kBody_mm);

@@ -53,7 +53,7 @@ void lay_out_pictures(const std::vector<Picture>& pictures, PageFlow& flow) {
       kSmall_mm);
   flow.skip(1.5);
   for (const Picture& each : pictures) {
-    constexpr double kHighest_mm = 112;  // two on a page
+    constexpr double kHighest_mm = 92;  // two on a page, also below the facts
     if (each.image.width <= 0 || each.image.height <= 0) continue;
     const double scale = std::min(kWidth_mm / each.image.width, kHighest_mm / each.image.height);
     const double width = scale * each.image.width, height = scale * each.image.height;
@@ -73,7 +73,7 @@ void lay_out_pictures(const std::vector<Picture>& pictures, PageFlow& flow) {
 }
 
 // Widths in mm, of the columns of FeatureCells; their sum is kWidth_mm.
-constexpr std::array<double, kFeatureColumns> kColumns{47, 19, 19, 17, 16, 17, 22, 14, 15};
+constexpr std::array<double, kFeatureColumns> kColumns{47, 19, 19, 17, 16, 18, 22, 13, 15};
 constexpr double kCellLetters_mm = 1.9;
 
 bool is_number(std::size_t column) { return (column >= 1 && column <= 5) || column == 7; }

@@ -70,8 +70,8 @@ std::vector<Fact> source_facts(const NcrDocument& document) {
 FeatureCells feature_heads(const NcrDocument& document) {
   double k = 2;
   if (!document.evidence.features.empty()) k = document.evidence.features.front().coverage_factor;
-  return {"Feature",     "Drawing", "Measured",           "Off by", fmt::format("U (k = {:g})", k),
-          "Tolerance ±", "Clause",  "Probability within", "Status"};
+  return {"Feature",     "Drawing", "Measured",     "Off by", fmt::format("U (k = {:g})", k),
+          "Tolerance ±", "Clause",  "Prob. within", "Status"};
 }
 
 FeatureCells feature_cells(const Feature& feature, LengthStyle style) {
