@@ -1,5 +1,5 @@
 // spoolsight-job: a job on one spool from the command line: make, show, order, check, capture,
-// export, salvage, keygen.
+// report (ncr), export, salvage, keygen.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <cassert>

@@ -65,8 +65,10 @@ std::string description_of(const NcrDocument& document) {
   if (!text.empty()) text += ".\n";
   for (const Finding& each : document.evidence.findings)
     text += (each.part.empty() ? "" : each.part + ": ") + each.text + "\n";
+  constexpr int kMost = 5;  // the form stays on its page; the table of features has all
+  int out = 0;
   for (const Feature& each : document.evidence.features) {
-    if (each.status != Verdict::kNotOk) continue;
+    if (each.status != Verdict::kNotOk || ++out > kMost) continue;
     text += fmt::format("{} ({}): the drawing requires {}", each.name, each.kind,
                         number_text(each, each.nominal, document.lengths));
     if (each.tolerance)
@@ -78,6 +80,7 @@ std::string description_of(const NcrDocument& document) {
                           each.coverage_factor);
     text += each.clause.empty() ? ".\n" : ", " + each.clause + ".\n";
   }
+  if (out > kMost) text += fmt::format("And {} more, in the table of features.\n", out - kMost);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
 }

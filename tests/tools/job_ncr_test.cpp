@@ -90,7 +90,8 @@ TEST_F(JobNcr, RefusesWhatMakesNoSense) {
 }
 
 TEST_F(JobNcr, OnAFullDiskNothingIsHalfWritten) {
-  const ProcessResult full = write({}, {.file_size_limit_bytes = 4096});
+  // More than what the journal maps in memory (32 KiB), less than the PDF with its letters.
+  const ProcessResult full = write({}, {.file_size_limit_bytes = 34'000});
   EXPECT_EQ(full.code, 74) << full.err;
   EXPECT_NE(full.err.find("3032-F01-NCR-001"), std::string::npos) << full.err;
   for (const auto& entry : fs::directory_iterator(fs::path(job_) / "ncr"))

@@ -62,6 +62,13 @@ TEST_F(FillForm, DescribesWhatIsInstalledAndWhatTheDrawingRequires) {
   EXPECT_EQ(value(*document, "root_cause.inspector"), "") << "nobody said who";
 }
 
+TEST(DescriptionOf, NamesTheWorstAndSaysHowManyMoreThereAre) {
+  const std::string text = ncr::description_of(sample_ncr(60));  // every fourth is out
+  EXPECT_NE(text.find("And 10 more, in the table of features."), std::string::npos) << text;
+  const std::string few = ncr::description_of(sample_ncr(20));
+  EXPECT_EQ(few.find("more, in the table"), std::string::npos) << few;
+}
+
 TEST_F(FillForm, WhatAPersonSaysStands) {
   const auto document =
       fill({"", {{"description.text", "by hand\x01"}, {"head.job_no", "J"}}, "2026-11-29"});
