@@ -51,7 +51,7 @@ TEST(ReportEvidence, TakesPicturesWithTheCaptionsOfTheReport) {
   ASSERT_EQ(read->pictures.size(), 2U);
   EXPECT_EQ(read->pictures[0].caption, "seen from +x & <y>");
   EXPECT_EQ(read->pictures[1].caption, "seen from -z");
-  EXPECT_EQ(read->pictures[1].image.width, 32);
+  EXPECT_EQ(read->pictures[1].image.width, 320);
 }
 
 TEST(ReportEvidence, RefusesOtherDesignsAndDamagedPictures) {

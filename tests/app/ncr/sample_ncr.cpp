@@ -10,11 +10,13 @@
 namespace spool::test {
 namespace {
 
+// Colours that run, and one that hardly packs.
 render::Image stripes(int width, int height) {
   render::Image image{width, height, {}};
   for (int v = 0; v < height; ++v)
     for (int u = 0; u < width; ++u)
-      for (const int value : {u * 255 / width, v * 255 / height, 128, 255})
+      for (const int value :
+           {u * 255 / width, v * 255 / height, (u * 7919 + v * 104729 + u * u * v) % 251, 255})
         image.rgba.push_back(static_cast<std::uint8_t>(value));
   return image;
 }
@@ -151,7 +153,7 @@ void write_report(const std::filesystem::path& folder, const std::string& design
              "<figcaption>overlay_1.png: seen from +x &amp; &lt;y&gt;</figcaption>"
              "<figcaption>overlay_2.png: seen from -z</figcaption>");
   for (const char* file : {"overlay_1.png", "overlay_2.png"})
-    write_file(folder / file, *render::encode_png(stripes(32, 20)));
+    write_file(folder / file, *render::encode_png(stripes(320, 200)));
 }
 
 }  // namespace spool::test
