@@ -10,6 +10,7 @@
 
 #include "app/evidence/capture.h"
 #include "app/evidence/verify_entry.h"
+#include "app/evidence/verify_reports.h"
 #include "app/job/check_digest.h"
 #include "app/job/job_seal.h"
 #include "vision/core/file_digest.h"
@@ -41,6 +42,7 @@ class Verification {
     take_seal(seal);
     read_job_file();
     verify_entries();
+    expected_.merge(verify_reports(folder_, recorded_, verified_));
     find_added();
     tell_swaps();
     return std::move(verified_);

@@ -16,6 +16,7 @@
 
 #include "app/common/json_file.h"
 #include "app/job/job_lock.h"
+#include "vision/core/file_digest.h"
 #include "vision/core/file_io.h"
 
 namespace spool::ncr {
@@ -64,12 +65,33 @@ Result<std::int64_t> last_given(const fs::path& folder, const std::string& prefi
   return last;
 }
 
-Status note_given(const fs::path& folder, const std::string& prefix, std::int64_t count) {
-  nlohmann::json all = nlohmann::json::object();
+// The list of a report's files, which `spoolsight-inspect --verify` compares them with.
+std::string list_of(const std::vector<NcrFile>& files) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const NcrFile& each : files)
+    list.push_back(
+        {{"name", each.name}, {"bytes", each.bytes.size()}, {"sha256", sha256_hex(each.bytes)}});
+  return json_text({{"schema", "spoolsight-ncr-files/1"}, {"files", list}});
+}
+
+nlohmann::json register_of(const fs::path& folder) {
   std::error_code code;
   if (fs::exists(register_path(folder), code))
     if (auto json = read_json(register_path(folder)); json && json->is_object())
-      all = *std::move(json);
+      return *std::move(json);
+  return nlohmann::json::object();
+}
+
+// Before the report appears: what its list will be. Until its number is given nobody misses it.
+Status note_list(const fs::path& folder, const std::string& number, const std::string& list) {
+  nlohmann::json all = register_of(folder);
+  if (!all.contains("lists") || !all["lists"].is_object()) all["lists"] = nlohmann::json::object();
+  all["lists"][number] = sha256_hex(list);
+  return write_file_whole(register_path(folder), json_text(all));
+}
+
+Status note_given(const fs::path& folder, const std::string& prefix, std::int64_t count) {
+  nlohmann::json all = register_of(folder);
   all[prefix] = count;
   return write_file_whole(register_path(folder), json_text(all));
 }
@@ -171,11 +193,14 @@ Result<Issued> issue_ncr(const fs::path& job_folder, const std::string& prefix,
   Issued issued;
   issued.number = fmt::format("{}{}{:03}", prefix, kMiddle, *last + 1);
   issued.folder = folder / issued.number;
-  const auto files = make(issued.number);
+  auto files = make(issued.number);
   if (!files) return files.error();
+  const std::string list = list_of(*files);
+  files->push_back({"files.json", list});
   Staging staging(folder);
   if (Status filled = staging.fill(*files, issued.folder); !filled) return filled.error();
   if (copy_to.empty()) {
+    if (Status noted = note_list(folder, issued.number, list); !noted) return noted.error();
     if (Status moved = staging.move_to(issued.folder); !moved) return moved.error();
   } else {
     if (Status made = make_folder(copy_to); !made) return made.error();
@@ -184,6 +209,7 @@ Result<Issued> issue_ncr(const fs::path& job_folder, const std::string& prefix,
       return cannot_write(copy_to / issued.number, "it is there already");
     Staging copy(copy_to);
     if (Status filled = copy.fill(*files, copy_to / issued.number); !filled) return filled.error();
+    if (Status noted = note_list(folder, issued.number, list); !noted) return noted.error();
     if (Status moved = staging.move_to(issued.folder); !moved) return moved.error();
     if (Status moved = copy.move_to(copy_to / issued.number); !moved) return moved.error();
   }

@@ -69,6 +69,39 @@ TEST_F(JobNcr, WritesFourFilesAndPrintsTheNumber) {
   EXPECT_NE(html.find("11 13/16&quot;"), std::string::npos) << "0.3 m in inches";
 }
 
+TEST_F(JobNcr, BelongsToWhatVerifyKnows) {
+  const auto verify = [&] { return run(program("spoolsight-inspect"), {"--verify", job_}); };
+  ASSERT_EQ(write().code, 0);
+  ASSERT_EQ(ncr({"--void", "3032-F01-NCR-001", "--reason", "r", "--operator", "NAME"}).code, 0);
+  ASSERT_EQ(write().code, 0);
+  const ProcessResult intact = verify();
+  EXPECT_EQ(intact.code, 0) << intact.out << intact.err;
+  const auto expect_told = [&](const std::string& what) {
+    const ProcessResult told = verify();
+    EXPECT_EQ(told.code, 1) << what;
+    EXPECT_NE(told.out.find(what), std::string::npos) << told.out;
+  };
+  // One bit of each of its files.
+  for (const char* ending : {".pdf", ".html", ".json", ".bcfzip"}) {
+    const fs::path path = file("3032-F01-NCR-002", ending);
+    const std::string was = *read_file(path);
+    std::string is = was;
+    is[is.size() / 2] = static_cast<char>(is[is.size() / 2] ^ 4);
+    write_file(path, is);
+    expect_told(std::string("changed: ncr/3032-F01-NCR-002/3032-F01-NCR-002") + ending);
+    write_file(path, was);
+  }
+  const fs::path list = fs::path(job_) / "ncr/3032-F01-NCR-002/files.json";
+  const std::string was = *read_file(list);
+  write_file(list, replaced(was, "\"bytes\": ", "\"bytes\": 1"));
+  expect_told("changed: ncr/3032-F01-NCR-002/files.json");
+  write_file(list, was);
+  write_file(fs::path(job_) / "ncr/3032-F01-NCR-002/more.txt", "");
+  expect_told("added: ncr/3032-F01-NCR-002/more.txt");
+  fs::remove_all(fs::path(job_) / "ncr/3032-F01-NCR-002");
+  expect_told("removed: ncr/3032-F01-NCR-002");
+}
+
 TEST_F(JobNcr, KeepsVoidNumbersUsed) {
   ASSERT_EQ(write().code, 0);
   const ProcessResult done =

@@ -67,7 +67,7 @@ class JobOnScreen : public test::Bench {
     ASSERT_TRUE(prepared);
     design_ = *prepared;
     job_ = std::make_unique<JobSession>(std::move(*session));
-    start(standing_still(60));
+    start(test::standing_still(60));
   }
 
   void align() {
