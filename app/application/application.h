@@ -121,13 +121,14 @@ class Application {
   [[nodiscard]] std::vector<double> landmark_evidence(std::span<const PointPair> pairs) const;
   void hold_picture();
   void release_picture();
-  void start_check(bool final);
-  void take_checks();
   void save_screen(const std::string& file);
   void save_last();
   void take_saved();
   void notice(std::string text);
   void fail(const Error& error);
+  // application_check.cpp
+  void start_check(bool final);
+  void take_checks();
   // application_box.cpp
   void press_box();
   void tap_box(const ui::Gesture& gesture, double slop_px);
