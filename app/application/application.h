@@ -92,6 +92,11 @@ class Application {
     VisionStatePtr state;
     Result<Inspection> inspection;
     bool final = false;
+    int step_part = -1;  // of the job, when it was asked for
+  };
+  struct StepReport {
+    std::filesystem::path file;
+    int part = -1;
   };
 
   explicit Application(ApplicationInputs inputs);
@@ -219,7 +224,7 @@ class Application {
   // The job's.
   std::vector<bool> on_table_;  // one a part: it stands, or is the present step's
   std::optional<render::Marker> ghost_marker_;
-  CommandQueue<std::filesystem::path> reports_;  // of checks, written
+  CommandQueue<StepReport> reports_;  // of checks, written
 
   // Evidence.
   int shots_ = 0, checks_ = 0, checks_open_ = 0;

@@ -38,6 +38,11 @@ void Application::start_check(bool final) {
   const VisionStatePtr state = final ? last_tracked_ : shown();
   if (!state || !(final || shows_pose())) return;
   ++checks_open_;
+  int step_part = -1;
+  if (in_.job && !final) {
+    in_.job->begin_check();
+    step_part = in_.job->part();
+  }
   InspectorOptions options;
   options.align = AlignMethod::kPose;
   options.units_confirmed = !in_.design->model.unit_inferred;
@@ -49,12 +54,12 @@ void Application::start_check(bool final) {
   Pose T = state->T_design_camera;  // into the design file's own coordinates
   T.translation() += in_.design->model.origin;
   options.T_design_scan = T;
-  jobs_.run([this, state, options, final] {
+  jobs_.run([this, state, options, final, step_part] {
     const Result<PointCloud> cloud = back_project(*state->frame, in_.camera);
     Result<Inspection> inspection = cloud
                                         ? Inspector(in_.design).process(*cloud, in_.noise, options)
                                         : Result<Inspection>(cloud.error());
-    static_cast<void>(checked_.push({state, std::move(inspection), final}));
+    static_cast<void>(checked_.push({state, std::move(inspection), final, step_part}));
   });
 }
 
@@ -93,13 +98,13 @@ void Application::take_checks() {
       notice(fmt::format("{}: {} Saved in {}.", ui::word(last_check_->first), last_check_->second,
                          folder.string()));
     }
-    const bool is_of_step = in_.job != nullptr && !done->final;
-    jobs_.run([this, folder, record, is_of_step, shown = std::move(*pictures)] {
+    const int step_part = done->step_part;
+    jobs_.run([this, folder, record, step_part, shown = std::move(*pictures)] {
       const Status written = evidence::write_inspection(folder, *record, shown);
       if (!written)
         static_cast<void>(write_errors_.push(written.error()));
-      else if (is_of_step)
-        static_cast<void>(reports_.push(folder / "report.json"));
+      else if (step_part >= 0)
+        static_cast<void>(reports_.push({folder / "report.json", step_part}));
     });
   }
 }

@@ -70,8 +70,8 @@ void Application::leave_out_absent(std::vector<double>& likelihood) const {
 }
 
 void Application::take_job_checks() {
-  while (const std::optional<std::filesystem::path> report = reports_.try_pop()) {
-    if (const Status taken = in_.job->take_check(*report); !taken) {
+  while (const std::optional<StepReport> report = reports_.try_pop()) {
+    if (const Status taken = in_.job->take_check(report->file, report->part); !taken) {
       fail(taken.error());
       continue;
     }

@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/application/job_session.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -104,17 +105,20 @@ std::optional<StepGhost> JobSession::ghost() const {
   return ghost;
 }
 
-Status JobSession::take_check(const std::filesystem::path& report) {
-  if (part() < 0) return {};  // what is checked when all stands belongs to no step
+Status JobSession::take_check(const std::filesystem::path& report, int part) {
+  if (part < 0) return {};  // what is checked when all stands belongs to no step
+  const auto of = std::ranges::find(job_.steps(), part, &guide::AssemblyStep::part);
+  const auto step = static_cast<int>(of - job_.steps().begin());
   Result<job::CheckRecord> record =
-      job::check_from_report(report, job_.design().parts[at(part())], job_.file().design_sha256);
+      job::check_from_report(report, job_.design().parts[at(part)], job_.file().design_sha256);
   if (!record) return record.error();
   record->outcome = job::Outcome::kRedo;
   record->operator_name = operator_name_;
   record->at = job::now();
-  const Result<std::int64_t> id = job_.add(step(), *record);
+  const Result<std::int64_t> id = job_.add(step, *record);
   if (!id) return id.error();
-  checked_ = std::move(*record);
+  // One that was on its way when its step was accepted says nothing of the next.
+  if (part == this->part()) checked_ = std::move(*record);
   return {};
 }
 

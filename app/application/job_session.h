@@ -43,9 +43,12 @@ class JobSession {
   // Nothing for the base, which is put where it is put, and where all are accepted.
   [[nodiscard]] std::optional<StepGhost> ghost() const;
 
-  // The present step's numbers out of a report that was just written: a check that decides nothing
-  // yet. kBadInput: no report of this design. kIo: the disk; nothing was taken then.
-  [[nodiscard]] Status take_check(const std::filesystem::path& report);
+  // Another look was asked for: what the last check said decides nothing any more.
+  void begin_check() { checked_.reset(); }
+  // The numbers of the step of `part`, which the look was asked for, out of the report written of
+  // it: a check that decides nothing yet. -1: belongs to no step. kBadInput: no report of this
+  // design. kIo: the disk; nothing was taken then.
+  [[nodiscard]] Status take_check(const std::filesystem::path& report, int part);
   // What was measured of the present step by the last check; null: it was not checked.
   [[nodiscard]] const job::CheckRecord* checked() const { return checked_ ? &*checked_ : nullptr; }
   // Why the step cannot be accepted at a touch; empty: it can.
