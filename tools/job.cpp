@@ -1,5 +1,5 @@
 // spoolsight-job: a job on one spool from the command line: make, show, order, check, capture,
-// report (ncr), export, salvage, keygen.
+// report (ncr), export, charts, salvage, keygen.
 // SPDX-FileCopyrightText: SpoolSight contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <cassert>
@@ -79,6 +79,13 @@ int main(int argc, char** argv) {
   CLI::App* out = tools::command(app, "export", "Write all checks to stdout", o.job);
   out->add_flag("--csv", o.csv, "A row a number");
   out->add_flag("--jsonl", o.jsonl, "A JSON object a line: checks, then joints");
+  CLI::App* charts = tools::command(
+      app, "charts", "Draw tries and minutes by joint, and what each try measured", o.job);
+  charts
+      ->add_option("-o,--out", o.out,
+                   "One .pdf, or of NAME.png the pages NAME-1.png, NAME-2.png ...")
+      ->required()
+      ->type_name("FILE.pdf");
   CLI::App* salvage =
       tools::command(app, "salvage", "Copy what can be read of a damaged journal", o.job);
   const auto ncr = tools::add_ncr_command(app);
@@ -93,6 +100,7 @@ int main(int argc, char** argv) {
     if (capture->parsed()) return tools::capture(o);
     if (keygen->parsed()) return tools::keygen(o);
     if (out->parsed()) return tools::write_out(o);
+    if (charts->parsed()) return tools::charts(o);
     if (app.got_subcommand("ncr")) return ncr();
     assert(salvage->parsed());
     return tools::salvage(o);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "app/isometric/job_charts.h"
 #include "app/job/job_export.h"
 #include "app/job/report_check.h"
 #include "app/job/salvage_job.h"
@@ -96,6 +97,18 @@ Result<int> write_out(const JobOptions& options) {
   if (!job->damage().empty()) return Error{ErrorCode::kBadInput, job->damage()};
   std::cout << (options.csv ? job::csv_text(job->file(), job->records())
                             : job::json_lines(job->file(), job->records()));
+  return 0;
+}
+
+Result<int> charts(const JobOptions& options) {
+  const auto job = job::Job::open(options.job, job::JobUse::kLook);
+  if (!job) return job.error();
+  const auto charts = isometric::charts_of(*job);
+  if (!charts) return charts.error();
+  const auto written = isometric::write_pages(
+      isometric::chart_pages(*charts), "Tries and minutes " + charts->title.spool, options.out);
+  if (!written) return written.error();
+  for (const std::string& file : *written) std::cout << "written to " << file << "\n";
   return 0;
 }
 

@@ -30,6 +30,7 @@ struct JobOptions {
 [[nodiscard]] Result<int> check(const JobOptions& options);
 [[nodiscard]] Result<int> write_out(const JobOptions& options);
 [[nodiscard]] Result<int> salvage(const JobOptions& options);
+[[nodiscard]] Result<int> charts(const JobOptions& options);
 // In job_capture.cpp.
 [[nodiscard]] Result<int> capture(const JobOptions& options);
 [[nodiscard]] Result<int> keygen(const JobOptions& options);

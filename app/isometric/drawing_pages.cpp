@@ -80,7 +80,7 @@ guide::Box2 line_area() {
 }
 
 void draw_line_page(PageCanvas& page, const Sheet& sheet, int count) {
-  draw_frame(page, sheet, "Isometric, not to scale", 1, count);
+  draw_frame(page, title_block(sheet, "Isometric, not to scale"), 1, count);
   page.draw(sheet.drawing.drawing);
   const double x = kPageWidth_mm - kMargin_mm - kBlockWidth_mm;
   page.line(x, kMargin_mm, x, kPageHeight_mm - kMargin_mm, 0.35);
@@ -149,7 +149,7 @@ void draw_model_page(PageCanvas& page, const Sheet& sheet, int count) {
             kPageHeight_mm - kMargin_mm - 10, 2.4);
   page.text("Lengths, lists and marks of welds: sheet 1.", kMargin_mm + 40,
             kPageHeight_mm - kMargin_mm - 5.5, 2.4);
-  draw_frame(page, sheet, "The same spool as it will look", 2, count);
+  draw_frame(page, title_block(sheet, "The same spool as it will look"), 2, count);
 }
 
 }  // namespace spool::isometric

@@ -52,7 +52,7 @@ int cut_page_count(const Sheet& sheet) { return pages_for(sheet.cuts.size()); }
 int weld_page_count(const Sheet& sheet) { return pages_for(sheet.welds.size()); }
 
 void draw_cut_page(PageCanvas& page, const Sheet& sheet, int index, int number, int count) {
-  draw_frame(page, sheet, "Cut sheet", number, count);
+  draw_frame(page, title_block(sheet, "Cut sheet"), number, count);
   std::vector<std::vector<std::string>> rows;
   for (const guide::CutRow& each : sheet.cuts)
     rows.push_back({each.piece, each.nps, each.schedule,
@@ -79,7 +79,7 @@ void draw_cut_page(PageCanvas& page, const Sheet& sheet, int index, int number, 
 }
 
 void draw_weld_page(PageCanvas& page, const Sheet& sheet, int index, int number, int count) {
-  draw_frame(page, sheet, "Weld map", number, count);
+  draw_frame(page, title_block(sheet, "Weld map"), number, count);
   std::vector<const guide::WeldRow*> in_turn;
   for (const guide::WeldRow& each : sheet.welds) in_turn.push_back(&each);
   std::stable_sort(in_turn.begin(), in_turn.end(),

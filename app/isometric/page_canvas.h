@@ -67,6 +67,12 @@ using Pages = std::vector<std::function<void(PageCanvas&)>>;
 [[nodiscard]] Result<render::Image> draw_page(const std::function<void(PageCanvas&)>& page,
                                               double dpi, const PageSize& size = {});
 
+// Writes `path`: one PDF, or of NAME.png the pages NAME-1.png, NAME-2.png ... at 200 dpi. Each file
+// whole or not at all; gives their names. kUsage: another ending; kIo: a file cannot be written.
+[[nodiscard]] Result<std::vector<std::string>> write_pages(const Pages& pages,
+                                                           const std::string& title,
+                                                           const std::string& path);
+
 // The width (mm) of a text on any page; for laying out before one is drawn.
 [[nodiscard]] double text_width_mm(const std::string& utf8, double height_mm);
 

@@ -7,8 +7,7 @@
 
 namespace spool::isometric {
 
-void draw_frame(PageCanvas& page, const Sheet& sheet, const std::string& subject, int number,
-                int count) {
+void draw_frame(PageCanvas& page, const TitleBlock& title, int number, int count) {
   page.box(kMargin_mm, kMargin_mm, kPageWidth_mm - 2 * kMargin_mm, kPageHeight_mm - 2 * kMargin_mm,
            0.5);
   const double x = kPageWidth_mm - kMargin_mm - kBlockWidth_mm;
@@ -27,16 +26,15 @@ void draw_frame(PageCanvas& page, const Sheet& sheet, const std::string& subject
     page.text(label, left + 1.2, top + 2.4, 1.7);
     page.text(value, left + 1.2, top + 6.8, letters, TextAlign::kLeft, true, width - 2.4);
   };
-  field("Line", sheet.line, x, y, 80, 3);
-  field("Revision", sheet.revision, x + 80, y, 20, 3);
+  field("Line", title.line, x, y, 80, 3);
+  field("Revision", title.revision, x + 80, y, 20, 3);
   field("Sheet", std::to_string(number) + " of " + std::to_string(count), x + 100, y, 20, 3);
-  field("Spool", sheet.spool, x, y + 10, 80, 3);
-  field("Date", sheet.options.date, x + 80, y + 10, 40, 2.6);
-  field("Content", subject, x, y + 20, 80, 2.4);
-  field("Lengths", sheet.options.feet_inches ? "feet and inches" : "millimetres", x + 80, y + 20,
-        40, 2.4);
-  const std::string hash = sheet.source_sha256.substr(0, 16);
-  field("Drawn by SpoolSight from", sheet.source + (hash.empty() ? "" : "  SHA-256 " + hash), x,
+  field("Spool", title.spool, x, y + 10, 80, 3);
+  field("Date", title.date, x + 80, y + 10, 40, 2.6);
+  field("Content", title.content, x, y + 20, 80, 2.4);
+  field("Lengths", title.lengths, x + 80, y + 20, 40, 2.4);
+  const std::string hash = title.source_sha256.substr(0, 16);
+  field("Drawn by SpoolSight from", title.source + (hash.empty() ? "" : "  SHA-256 " + hash), x,
         y + 30, kBlockWidth_mm, 2.2);
 }
 

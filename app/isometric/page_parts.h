@@ -7,16 +7,20 @@
 #include <vector>
 
 #include "app/isometric/page_canvas.h"
-#include "app/isometric/sheet.h"
 
 namespace spool::isometric {
 
 inline constexpr double kMargin_mm = 8;
 inline constexpr double kBlockWidth_mm = 120, kBlockHeight_mm = 40;  // the title block's
 
+// What the title block says; an empty field stays empty.
+struct TitleBlock {
+  std::string line, revision, spool, date, content, lengths;
+  std::string source, source_sha256;  // the file that the sheet was made from
+};
+
 // Frame and, in the lower right corner, the title block.
-void draw_frame(PageCanvas& page, const Sheet& sheet, const std::string& subject, int number,
-                int count);
+void draw_frame(PageCanvas& page, const TitleBlock& title, int number, int count);
 
 struct Column {
   std::string title;

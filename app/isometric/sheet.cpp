@@ -10,12 +10,9 @@
 #include "app/isometric/drawing_pages.h"
 #include "app/isometric/list_pages.h"
 #include "app/isometric/model_view.h"
-#include "vision/core/file_io.h"
 
 namespace spool::isometric {
 namespace {
-
-constexpr double kPngDpi = 200;
 
 void warn_of_missing(int count, const char* where, Sheet& sheet) {
   if (count > 0)
@@ -59,6 +56,13 @@ Result<Sheet> make_sheet(const DesignModel& design, const SheetOptions& options)
   return sheet;
 }
 
+TitleBlock title_block(const Sheet& sheet, const std::string& content) {
+  return {sheet.line,   sheet.revision,
+          sheet.spool,  sheet.options.date,
+          content,      sheet.options.feet_inches ? "feet and inches" : "millimetres",
+          sheet.source, sheet.source_sha256};
+}
+
 Pages pages_of(const Sheet& sheet) {
   const int cuts = cut_page_count(sheet), welds = weld_page_count(sheet);
   const int count = 2 + cuts + welds;
@@ -76,27 +80,7 @@ Pages pages_of(const Sheet& sheet) {
 }
 
 Result<std::vector<std::string>> write_sheet(const Sheet& sheet, const std::string& path) {
-  const std::filesystem::path file(path);
-  std::vector<std::string> written;
-  if (file.extension() == ".pdf") {
-    const Result<std::string> bytes = draw_pdf(pages_of(sheet), sheet.title);
-    if (!bytes) return bytes.error();
-    if (Status status = write_file_whole(file, *bytes); !status) return status.error();
-    written.push_back(path);
-    return written;
-  }
-  if (file.extension() != ".png")
-    return Error{ErrorCode::kUsage, path + ": an isometric is written as .pdf or .png"};
-  int number = 0;
-  for (const auto& page : pages_of(sheet)) {
-    const Result<render::Image> image = draw_page(page, kPngDpi);
-    if (!image) return image.error();
-    std::filesystem::path own = file;
-    own.replace_filename(file.stem().string() + "-" + std::to_string(++number) + ".png");
-    if (Status status = render::write_png(own, *image); !status) return status.error();
-    written.push_back(own.string());
-  }
-  return written;
+  return write_pages(pages_of(sheet), sheet.title, path);
 }
 
 }  // namespace spool::isometric

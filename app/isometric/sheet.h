@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/isometric/page_canvas.h"
+#include "app/isometric/page_parts.h"
 #include "app/isometric/weld_states.h"
 #include "vision/core/result.h"
 #include "vision/guide/isometric.h"
@@ -53,6 +54,9 @@ struct Sheet {
 
 // A length (m) as the sheet writes it: whole millimetres, or feet, inches and sixteenths.
 [[nodiscard]] std::string length_of(double length_m, const SheetOptions& options);
+
+// The sheet's title block on a page with this content.
+[[nodiscard]] TitleBlock title_block(const Sheet& sheet, const std::string& content);
 
 // Writes `path`: one PDF, or of NAME.png the pages NAME-1.png, NAME-2.png ... Each file whole or
 // not at all; gives their names. kUsage: another ending; kIo: a file cannot be written.

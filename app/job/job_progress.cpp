@@ -39,6 +39,12 @@ std::vector<Shrinkage> shrinkage_of(const std::vector<const CheckRecord*>& check
   return list;
 }
 
+// A check of its own, not another decision on the one before.
+bool is_anew(const CheckRecord* before, const CheckRecord& check) {
+  return before == nullptr || check.report_sha256.empty() ||
+         check.report_sha256 != before->report_sha256;
+}
+
 }  // namespace
 
 const CheckRecord* accepted_record(const std::string& part,
@@ -85,10 +91,9 @@ std::vector<JointHistory> joint_histories(const std::vector<CheckRecord>& record
     const CheckRecord* before = nullptr;
     bool was_accepted = false;
     for (const CheckRecord* check : checks[j]) {
-      const bool is_anew = before == nullptr || check->report_sha256.empty() ||
-                           check->report_sha256 != before->report_sha256;
-      if (is_anew) ++history.checks;
-      if (is_anew && !was_accepted) ++history.tries;
+      const bool counts = is_anew(before, *check);
+      if (counts) ++history.checks;
+      if (counts && !was_accepted) ++history.tries;
       history.is_accepted = check->outcome != Outcome::kRedo;
       was_accepted = was_accepted || history.is_accepted;
       if (!check->override_reason.empty()) ++history.overrides;
@@ -102,6 +107,19 @@ std::vector<JointHistory> joint_histories(const std::vector<CheckRecord>& record
     history.shrinkage = shrinkage_of(checks[j]);
   }
   return histories;
+}
+
+std::vector<const CheckRecord*> joint_checks(const std::string& joint,
+                                             const std::vector<CheckRecord>& records) {
+  std::vector<const CheckRecord*> checks;
+  for (const CheckRecord& record : records) {
+    if (record.joint != joint) continue;
+    if (is_anew(checks.empty() ? nullptr : checks.back(), record))
+      checks.push_back(&record);
+    else
+      checks.back() = &record;
+  }
+  return checks;
 }
 
 }  // namespace spool::job

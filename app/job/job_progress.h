@@ -51,4 +51,9 @@ struct JointHistory {
 // last check before the last after-weld one, of phase before-weld, else after-tack.
 [[nodiscard]] std::vector<JointHistory> joint_histories(const std::vector<CheckRecord>& records);
 
+// The checks of a joint in their order. Of records after one another of one report, which are one
+// check, the last: what was made of it.
+[[nodiscard]] std::vector<const CheckRecord*> joint_checks(const std::string& joint,
+                                                           const std::vector<CheckRecord>& records);
+
 }  // namespace spool::job

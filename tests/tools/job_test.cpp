@@ -99,6 +99,27 @@ TEST_F(JobTool, KeepsChecksAndExportsThem) {
   EXPECT_NEAR(events[4]["shrinkage"][0]["change_m"].get<double>(), -0.0015, 1e-9);
 }
 
+TEST_F(JobTool, DrawsChartsOfTriesAndMinutes) {
+  ASSERT_EQ(check(1, report("flange-1", "ok", 0.3), "accept").code, 0);
+  ASSERT_EQ(check(2, report("pipe-1", "not_ok", 0.31), "redo").code, 0);
+  ASSERT_EQ(check(2, report("pipe-1", "ok", 0.3), "accept").code, 0);
+  const std::string pdf = (folder_.path() / "charts.pdf").string();
+  const ProcessResult drawn = tool({"charts", job_, "-o", pdf});
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(holds(drawn.out, "written to " + pdf)) << drawn.out;
+  if (std::filesystem::exists("/usr/bin/pdftotext")) {
+    const std::string text = run("/usr/bin/pdftotext", {"-layout", pdf, "-"}).out;
+    for (const char* word : {"W-101", "pipe-1", "no check yet", "Tries and minutes by joint",
+                             "What each try measured"})
+      EXPECT_TRUE(holds(text, word)) << word << " is not in\n" << text;
+  }
+  expect_refused(tool({"charts", job_, "-o", "charts.svg"}), "spoolsight-job", 64, ".pdf or .png");
+  const ProcessResult full = tool({"charts", job_, "-o", (folder_.path() / "full.pdf").string()},
+                                  {.file_size_limit_bytes = 1024});
+  EXPECT_EQ(full.code, 74) << full.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "full.pdf"));
+}
+
 TEST_F(JobTool, MovesStepsAndRefusesWhatCannotBeBuilt) {
   expect_refused(tool({"order", job_, "--move", "7", "2"}), "spoolsight-job", 64, "cannot be done");
   expect_refused(tool({"order", job_, "--move", "1", "80"}), "spoolsight-job", 64, "steps 1 to");
@@ -127,6 +148,7 @@ TEST_F(JobTool, SalvagesADamagedJournalAndGoesOn) {
   EXPECT_EQ(shown.code, 65);
   EXPECT_TRUE(holds(shown.err, "is damaged")) << shown.err;
   EXPECT_EQ(check(1, report("flange-1", "ok", 0.3), "accept").code, 65);
+  expect_refused(tool({"charts", job_, "-o", "none.pdf"}), "spoolsight-job", 65, "salvage");
   const ProcessResult salvaged = tool({"salvage", job_});
   ASSERT_EQ(salvaged.code, 0) << salvaged.err;
   EXPECT_TRUE(holds(salvaged.out, "salvaged ")) << salvaged.out;
