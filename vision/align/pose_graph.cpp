@@ -30,6 +30,13 @@ Matrix6d inverse_of(const Matrix6d& symmetric) {
 
 Matrix6d symmetric(const Matrix6d& m) { return 0.5 * (m + m.transpose()); }
 
+// Two views that share at least half of what they see, of a sensor that sees a radian at a metre.
+bool are_one_place(const Pose& a, const Pose& b) {
+  constexpr double kPlaceM = 0.5, kPlaceRad = 0.5;
+  const PoseSize apart = pose_size(a.inverse() * b);
+  return apart.translation_m < kPlaceM && apart.rotation_rad < kPlaceRad;
+}
+
 }  // namespace
 
 Vector6d small_between(const Pose& a, const Pose& b) {
@@ -54,8 +61,13 @@ struct PoseGraph::Impl {
     std::size_t parent = 0;
     Matrix6d step = Matrix6d::Zero();  // covariance of what was added to its parent's
   };
+  struct Edge : PoseEdge {
+    static constexpr std::size_t kOdometry = static_cast<std::size_t>(-1);
+    std::size_t group = kOdometry;  // of loops
+  };
   std::vector<Keyframe> keyframes;
-  std::vector<PoseEdge> edges;
+  std::vector<Edge> edges;
+  std::vector<std::size_t> group_sizes;
   Pose T_map_first = Pose::Identity();  // as measured
   Matrix6d first_information;
   // What follows from them: worked out when it is asked for.
@@ -63,6 +75,11 @@ struct PoseGraph::Impl {
   Eigen::SimplicialLDLT<Sparse> factor;
   bool is_factored = false;
 
+  [[nodiscard]] std::size_t group_of(const PoseEdge& loop) const;
+  // How many edges this one is one of, that count as one.
+  [[nodiscard]] double shared_by(const Edge& edge) const {
+    return edge.group == Edge::kOdometry ? 1 : static_cast<double>(group_sizes[edge.group]);
+  }
   Eigen::VectorXd linearise(Sparse& information, double& squared);
   void factorise();
   [[nodiscard]] Columns columns_of(std::size_t i);
@@ -104,7 +121,7 @@ std::size_t PoseGraph::add(std::size_t from, const Pose& T_from_to, const Matrix
   // One edge alone changes nothing for the others.
   const Matrix6d own = carried * self.covariance(from) * carried.transpose() + covariance;
   const std::size_t index = size();
-  self.edges.push_back({from, index, T_from_to, covariance});
+  self.edges.push_back({{from, index, T_from_to, covariance}});
   self.keyframes.push_back({T_map_keyframe(from) * T_from_to, from, covariance});
   self.covariances.emplace_back(symmetric(own));
   self.is_factored = false;
@@ -130,9 +147,9 @@ Eigen::VectorXd PoseGraph::Impl::linearise(Sparse& information, double& squared)
   squared = first.dot(first_information * first);
   add_block(0, 0, first_information);
   part(0) -= first_information * first;
-  for (const PoseEdge& edge : edges) {
+  for (const Edge& edge : edges) {
     const Vector6d off = residual(edge);
-    const Matrix6d weight = inverse_of(edge.covariance);
+    const Matrix6d weight = inverse_of(edge.covariance) / shared_by(edge);
     // To first order in what is left over, which the odometry keeps small.
     const Matrix6d by_from = -small_seen_from(keyframes[edge.from].T_map_keyframe.inverse() *
                                               keyframes[edge.to].T_map_keyframe);
@@ -202,9 +219,29 @@ bool PoseGraph::close(const PoseEdge& edge) {
   assert(edge.from < size() && edge.to < size() && edge.from != edge.to && "two keyframes");
   const double chi_square_of = chi_square(edge);
   if (!(chi_square_of <= kChiSquare6At999)) return false;
-  impl_->edges.push_back(edge);
+  const std::size_t group = impl_->group_of(edge);
+  if (group == impl_->group_sizes.size()) impl_->group_sizes.push_back(0);
+  ++impl_->group_sizes[group];
+  impl_->edges.push_back({edge, group});
   impl_->forget();
   return true;
+}
+
+// The group whose first edge joins the same two places; a new one where none does.
+std::size_t PoseGraph::Impl::group_of(const PoseEdge& loop) const {
+  const Pose& from = keyframes[loop.from].T_map_keyframe;
+  const Pose& to = keyframes[loop.to].T_map_keyframe;
+  std::vector<bool> looked_at(group_sizes.size(), false);
+  for (const Edge& edge : edges) {
+    if (edge.group == Edge::kOdometry || looked_at[edge.group]) continue;
+    looked_at[edge.group] = true;  // by its first edge: no chain from place to place
+    const Pose& a = keyframes[edge.from].T_map_keyframe;
+    const Pose& b = keyframes[edge.to].T_map_keyframe;
+    if ((are_one_place(a, from) && are_one_place(b, to)) ||
+        (are_one_place(a, to) && are_one_place(b, from)))
+      return edge.group;
+  }
+  return group_sizes.size();
 }
 
 double PoseGraph::solve() {
@@ -233,15 +270,18 @@ std::size_t PoseGraph::take_out(std::size_t i) {
   std::size_t heir = self.keyframes[i].parent;
   const Matrix6d step = self.keyframes[i].step;
   const Pose T_heir_i = T_map_keyframe(heir).inverse() * T_map_keyframe(i);
-  std::vector<PoseEdge> kept;
+  std::vector<Impl::Edge> kept;
   kept.reserve(self.edges.size());
-  for (const PoseEdge& edge : self.edges) {
+  for (const Impl::Edge& edge : self.edges) {
     if (edge.from != i && edge.to != i) {
       kept.push_back(edge);
       continue;
     }
     const std::size_t other = edge.from == i ? edge.to : edge.from;
-    if (other == heir) continue;
+    if (other == heir) {
+      if (edge.group != Impl::Edge::kOdometry) --self.group_sizes[edge.group];
+      continue;
+    }
     // As seen from the one that goes: turned round where it was the far end.
     const Pose T_i_other = edge.from == i ? edge.T_from_to : edge.T_from_to.inverse();
     Matrix6d covariance = edge.covariance;
@@ -250,8 +290,9 @@ std::size_t PoseGraph::take_out(std::size_t i) {
       covariance = turned * covariance * turned.transpose();
     }
     const Matrix6d carried = small_seen_from(T_i_other);
-    kept.push_back({heir, other, T_heir_i * T_i_other,
-                    symmetric(carried * step * carried.transpose() + covariance)});
+    kept.push_back({{heir, other, T_heir_i * T_i_other,
+                     symmetric(carried * step * carried.transpose() + covariance)},
+                    edge.group});
   }
   self.edges = std::move(kept);
   for (std::size_t k = 0; k < size(); ++k) {
@@ -264,7 +305,7 @@ std::size_t PoseGraph::take_out(std::size_t i) {
   const std::size_t last = size() - 1;
   self.keyframes[i] = self.keyframes[last];
   self.keyframes.pop_back();
-  for (PoseEdge& edge : self.edges) {
+  for (Impl::Edge& edge : self.edges) {
     if (edge.from == last) edge.from = i;
     if (edge.to == last) edge.to = i;
   }

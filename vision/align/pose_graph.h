@@ -32,7 +32,9 @@ inline constexpr double kChiSquare6At999 = 22.46;
 
 // Poses in one map frame. Odometry edges add keyframes, loop edges are added between those that are
 // there; solve() is Gauss-Newton over all of them (Grisetti et al., "A Tutorial on Graph-Based
-// SLAM", 2010). Edges are taken to err independently. One thread.
+// SLAM", 2010). Odometry edges are taken to err independently; loops between the same two places
+// err together, so that all of them count as one (covariance intersection with equal weights,
+// Julier and Uhlmann 1997). One thread.
 class PoseGraph {
  public:
   // `covariance`: of the first keyframe, against what the map frame means.

@@ -144,5 +144,45 @@ TEST(PoseGraph, KeepsPosesAndCovariancesOfTheOthersWhereOneIsTakenOut) {
   EXPECT_LT(pose_size(T_last.inverse() * walk.graph.T_map_keyframe(7)).translation_m, 1e-6);
 }
 
+// Looks from one place at another err together: each more says no more.
+TEST(PoseGraph, LoopsBetweenTheSamePlacesCountAsOne) {
+  Walk once(3), often(3), elsewhere(3);
+  const PoseEdge exact{0, kPlaces - 1, place(0).inverse() * place(kPlaces - 1), step_covariance()};
+  const PoseEdge back{kPlaces - 1, 0, exact.T_from_to.inverse(), step_covariance()};
+  const PoseEdge across{0, kPlaces / 2, place(0).inverse() * place(kPlaces / 2), step_covariance()};
+  ASSERT_TRUE(once.graph.close(exact));
+  for (int k = 0; k < 5; ++k) {
+    ASSERT_TRUE(often.graph.close(k % 2 == 0 ? exact : back));
+    often.graph.solve();
+  }
+  ASSERT_TRUE(elsewhere.graph.close(exact));
+  ASSERT_TRUE(elsewhere.graph.close(across));
+  const auto sigma = [](const Walk& walk) {
+    return std::sqrt(walk.graph.covariance(kPlaces / 2).topLeftCorner<3, 3>().trace());
+  };
+  EXPECT_NEAR(sigma(often), sigma(once), 0.01 * sigma(once));
+  EXPECT_LT(sigma(elsewhere), 0.8 * sigma(once));
+  once.graph.solve();
+  often.graph.solve();
+  const PoseSize apart = pose_size(once.graph.T_map_keyframe(kPlaces / 2).inverse() *
+                                   often.graph.T_map_keyframe(kPlaces / 2));
+  EXPECT_LT(apart.translation_m, 1e-5);
+}
+
+// What goes out of the graph takes nothing of what the others count for.
+TEST(PoseGraph, ALoopThatGoesWithItsKeyframeIsNotCountedAnyMore) {
+  const auto walk = [](bool has_second) {
+    PoseGraph graph(Pose::Identity(), step_covariance());
+    const Pose step(Eigen::Translation3d(0.1, 0, 0));
+    for (std::size_t i = 1; i < 5; ++i) graph.add(i - 1, step, step_covariance());
+    EXPECT_TRUE(!has_second || graph.close({0, 1, step, step_covariance()}));
+    const Pose all(Eigen::Translation3d(0.4, 0, 0));
+    EXPECT_TRUE(graph.close({0, 4, all, step_covariance()}));
+    graph.take_out(1);  // hangs on 0: the loop between them says nothing any more
+    return std::sqrt(graph.covariance(3).topLeftCorner<3, 3>().trace());
+  };
+  EXPECT_NEAR(walk(true), walk(false), 1e-6 * walk(false));
+}
+
 }  // namespace
 }  // namespace spool
