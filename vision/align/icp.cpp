@@ -9,6 +9,9 @@
 #include <cmath>
 #include <numeric>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
 #include "vision/align/icp_matcher.h"
 
 namespace spool {
@@ -92,6 +95,36 @@ double displacement(const NormalEquations& equations, const Vector6d& step) {
   return std::sqrt(std::max(0.0, step.dot(equations.mass * step)));
 }
 
+// Mean squared displacement (m^2) of a box's points by a small motion told at its middle.
+Matrix6d mass_of(const Eigen::AlignedBox3d& box) {
+  Matrix6d mass = Matrix6d::Identity();
+  const Eigen::Vector3d half2 = (0.5 * box.sizes()).cwiseAbs2();
+  mass.bottomRightCorner<3, 3>() =
+      ((Eigen::Vector3d::Constant(half2.sum()) - half2) / 3).asDiagonal();
+  return mass;
+}
+
+// The step and what has to be done with it so that along the weak motions the design as a whole
+// stays as near the guess as the held ones let it. By the matched points alone the guess would not
+// be kept: of a pipe seen from one side they stay where they are if it is shifted and rolled.
+Vector6d keeping_guess(const Vector6d& step, const Pose& T_guess, const Pose& T,
+                       const NormalEquations& equations, const HeldMotions& motions,
+                       const Eigen::AlignedBox3d& bounds) {
+  Eigen::MatrixXd weak(6, 6);
+  Eigen::Index count = 0;
+  for (int i = 0; i < 6; ++i)
+    if (motions.weak[static_cast<std::size_t>(i)]) weak.col(count++) = motions.directions.col(i);
+  if (count == 0) return step;
+  weak.conservativeResize(Eigen::NoChange, count);
+  const Pose since = moved_about(equations.centre, step, T) * T_guess.inverse();
+  Vector6d moved;
+  moved << since * equations.centre - equations.centre, rotation_vector(since.linear());
+  const Matrix6d at_middle = motion_told_at(bounds.center() - equations.centre);
+  const Matrix6d mass = at_middle.transpose() * mass_of(bounds) * at_middle;
+  const Eigen::MatrixXd told = weak.transpose() * mass;
+  return step - weak * (told * weak).ldlt().solve(told * moved);
+}
+
 // How far (m) the next step may move the points, of which the last one moved them by `last_step_m`.
 // More than a millimetre is not worth remembering for: too much surface lies round a point.
 double margin_for(double last_step_m) {
@@ -143,6 +176,7 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
   Pose T_near = T;
   Indices near = near_points(scan, surface, T, static_cast<float>(reach), watch);
 
+  const Eigen::AlignedBox3d& bounds = surface.bounds();
   Matcher matcher(scan, surface, options);
   const auto choose = [&](bool all) {
     matcher.choose(all ? near : strewn(near, kCoarsePoints), !all);
@@ -163,7 +197,8 @@ IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface, const 
     equations = build_normal_equations(matches);
     motions = held_motions(equations, matches);
     if (result.iterations >= options.max_iterations || equations.weight < 6) break;
-    const Vector6d step = solve_held(equations, motions);
+    const Vector6d step =
+        keeping_guess(solve_held(equations, motions), T_guess, T, equations, motions, bounds);
     T = moved_about(equations.centre, step, T);
     margin = margin_for(displacement(equations, step));
     ++result.iterations;

@@ -11,6 +11,7 @@ namespace spool {
 
 struct DesignSurface::Impl {
   std::unique_ptr<SurfaceKind> kind;
+  Eigen::AlignedBox3d bounds;
 };
 
 DesignSurface::DesignSurface(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -25,14 +26,19 @@ Result<DesignSurface> DesignSurface::build(const DesignModel& design) {
     return Error{kind.error().code,
                  "no surface can be built over " + design.path + ": " + kind.error().message};
   }
-  return DesignSurface(std::make_unique<Impl>(Impl{std::move(*kind)}));
+  return DesignSurface(std::make_unique<Impl>(Impl{std::move(*kind), design.bounds()}));
 }
 
 Result<DesignSurface> DesignSurface::build(const CloudView& cloud) {
   auto kind = make_cloud_surface(cloud);
   if (!kind) return kind.error();
-  return DesignSurface(std::make_unique<Impl>(Impl{std::move(*kind)}));
+  Eigen::AlignedBox3d bounds;
+  for (const Eigen::Vector3f& point : cloud.points)
+    if (point.allFinite()) bounds.extend(point.cast<double>());
+  return DesignSurface(std::make_unique<Impl>(Impl{std::move(*kind), bounds}));
 }
+
+const Eigen::AlignedBox3d& DesignSurface::bounds() const { return impl_->bounds; }
 
 std::optional<SurfacePoint> DesignSurface::closest(const Eigen::Vector3f& query,
                                                    float max_distance) const {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "vision/core/cloud_view.h"
 #include "vision/core/result.h"
@@ -42,6 +43,8 @@ class DesignSurface {
   DesignSurface(DesignSurface&&) noexcept;
   DesignSurface& operator=(DesignSurface&&) noexcept;
   ~DesignSurface();
+
+  [[nodiscard]] const Eigen::AlignedBox3d& bounds() const;  // m, design frame
 
   // Nothing where the surface is further than `max_distance` (m). The sign comes from the
   // angle-weighted pseudonormal (Baerentzen & Aanaes 2005) at edges and vertices.

@@ -159,6 +159,25 @@ TEST(Icp, AFlangeAtTheEndHoldsThePipe) {
   EXPECT_LT(std::abs(found.T_design_scan.translation().z()), 0.001);
 }
 
+// The first view of a long spool often shows a pipe from one side and no more. Its points hold a
+// shift across it and not its turn; a shift must not become a turn that swings all the rest.
+TEST(Icp, AShiftOfAPipeSeenFromOneSideDoesNotRollTheDesign) {
+  const std::vector<Rod> rods = {{{0, 0, 0}, Vector3d::UnitZ(), 0.045, 0.8},
+                                 {{0, 0, 0.6}, Vector3d::UnitX(), 0.045, 1.5}};
+  const DesignModel design = test::design_of(rods);
+  const DesignSurface surface = surface_over(design);
+  std::mt19937 random{6};
+  const PointCloud scan = test::scan_of(
+      {{{0, 0, 0}, Vector3d::UnitZ(), 0.045, 0.5}}, Pose::Identity(),
+      {.points = 2000, .noise_m = 0.001, .towards = {1, 1, 0}, .with_ends = false}, random);
+  const Pose guess(Eigen::Translation3d(0.007, -0.007, 0.0));
+  const IcpResult found = refine_icp(scan, surface, guess, {.noise_m = 0.001});
+  ASSERT_FALSE(found.weak_directions.empty());
+  EXPECT_LT(found.T_design_scan.translation().head<2>().norm(), 0.0005);
+  // 10 mm of the skin would be 13 degrees.
+  EXPECT_LT(pose_size(found.T_design_scan).rotation_rad, 0.01);
+}
+
 TEST(Icp, CovarianceTellsTheErrorItMakes) {
   // Normalised squared error of an honest covariance has mean 6 (chi square of 6), here over 60
   // scans.
