@@ -99,7 +99,7 @@ DesignFit LiveAlignment::fitted(const PointCloud& scan, const DepthFrame& frame,
   const bool in_sight = fit.agreement.seen >= options_.min_samples &&
                         fit.agreement.share_in_sight() >= options_.min_in_sight;
   fit.is_believed =
-      in_sight && icp.correspondences > 0 && fit.agreement.share() >= options_.least_agreement;
+      in_sight && icp.correspondences > 0 && fit.agreement.share() >= options_.least_of_new;
   if (!fit.is_believed)
     fit.hint = in_sight ? "The drawing does not fit what is seen there."
                         : "Too little of the spool is seen: point the camera at it.";

@@ -29,6 +29,8 @@ struct LiveAlignmentOptions {
   double start_distance_m = 0.05;  // m; a picked pair may be this far off (ARCHITECTURE, Taps)
   // Of the surface that should be seen, the share that must be for a pose to be believed.
   double least_agreement = 0.4;
+  // The same for a pose that a fit has just found: more speaks for it than against.
+  double least_of_new = 0.5;
   double min_in_sight = 0.25;    // a hand may hide the rest
   std::size_t min_samples = 40;  // fewer surface samples in sight: cannot tell where it is
   int frames_a_check = 3;        // of so many frames one is looked at for a spool that was moved
