@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <numbers>
 #include <numeric>
 
 namespace spool {
@@ -52,6 +53,15 @@ std::string signed_length_text(double metres, LengthStyle style) {
   const std::string text = length_text(metres, style);
   const bool zero = text == "0.0 mm" || text == "0\"" || text == "-";
   return metres > 0 && !zero ? "+" + text : text;
+}
+
+std::string quantity_text(double value, bool is_angle, LengthStyle style, bool with_sign) {
+  if (!is_angle) return with_sign ? signed_length_text(value, style) : length_text(value, style);
+  if (!std::isfinite(value)) return "-";
+  char degrees[48];
+  std::snprintf(degrees, sizeof degrees, with_sign ? "%+.2f°" : "%.2f°",
+                value * 180 / std::numbers::pi);
+  return degrees;
 }
 
 std::string percent_text(double share) {

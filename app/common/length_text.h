@@ -17,6 +17,10 @@ enum class LengthStyle { kMillimetre, kFeetInch };
 // The same with its sign always said: "+4.6 mm", "-1/16"".
 [[nodiscard]] std::string signed_length_text(double metres, LengthStyle style);
 
+// A length (m) in that style, or an angle (rad) in degrees: "0.45°", with its sign "+0.45°".
+[[nodiscard]] std::string quantity_text(double value, bool is_angle, LengthStyle style,
+                                        bool with_sign = false);
+
 // A share of 0..1 in whole per cent; never 100 % for less than all, never 0 % for more than none.
 [[nodiscard]] std::string percent_text(double share);
 

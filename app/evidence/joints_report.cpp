@@ -155,31 +155,34 @@ std::string bump_text(const DesignModel& design, const Bump& bump, LengthStyle s
                          : "Make " + part + " " + length + " longer.";
 }
 
+std::string joint_text(const JointError& joint, LengthStyle style) {
+  if (!joint.is_measured) return joint.reason;
+  std::string text = joint.near_port + " to " + joint.far_port + ": off by " +
+                     length_text(joint.error.head<3>().norm(), style) + " and " +
+                     degrees(joint.error.tail<3>().norm());
+  text += joint.is_to_blame      ? ". The joint to blame."
+          : joint.is_significant ? "."
+                                 : ", which may be chance.";
+  for (const EndEffect& end : joint.ends)
+    text += " At " + end.end + " " + length_text(end.displacement_m.norm(), style) + ".";
+  return text;
+}
+
+std::string fit_up_text(const FitUp& fit_up, LengthStyle style) {
+  if (!fit_up.is_measured) return fit_up.reason;
+  return length_text(fit_up.hi_lo_m, style) + ", U (k = 2) " + length_text(2 * fit_up.u_m, style);
+}
+
 std::string joints_section(const DesignModel& design, const ChainResult& chain, LengthStyle style) {
   if (chain.joints.empty()) return "";
   std::string html = "<h2>Joints</h2>\n";
   for (const Bump& bump : chain.bumps)
     html += "<p><b>" + escaped(bump_text(design, bump, style)) + "</b></p>\n";
   html += "<table class=\"facts\">\n";
-  for (const JointError& joint : chain.joints) {
-    std::string text = joint.reason;
-    if (joint.is_measured) {
-      text = joint.near_port + " to " + joint.far_port + ": off by " +
-             length_text(joint.error.head<3>().norm(), style) + " and " +
-             degrees(joint.error.tail<3>().norm());
-      text += joint.is_to_blame      ? ". The joint to blame."
-              : joint.is_significant ? "."
-                                     : ", which may be chance.";
-      for (const EndEffect& end : joint.ends)
-        text += " At " + end.end + " " + length_text(end.displacement_m.norm(), style) + ".";
-    }
-    html += row(escaped(joint.weld), escaped(text));
-  }
+  for (const JointError& joint : chain.joints)
+    html += row(escaped(joint.weld), escaped(joint_text(joint, style)));
   for (const FitUp& fit_up : chain.fit_ups)
-    html += row(escaped(fit_up.weld + ", hi-lo"),
-                escaped(fit_up.is_measured ? length_text(fit_up.hi_lo_m, style) + ", U (k = 2) " +
-                                                 length_text(2 * fit_up.u_m, style)
-                                           : fit_up.reason));
+    html += row(escaped(fit_up.weld + ", hi-lo"), escaped(fit_up_text(fit_up, style)));
   html += "</table>\n<p>What joints are counted outward from: " + escaped(chain.datum) + ".";
   if (!chain.fit_ups.empty()) html += " " + escaped(chain.fit_ups.front().root_gap);
   return html + "</p>\n";

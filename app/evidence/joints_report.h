@@ -24,6 +24,13 @@ namespace spool::evidence {
 // drawing's.
 [[nodiscard]] std::string bump_text(const DesignModel& design, const Bump& bump, LengthStyle style);
 
+// "pipe_1/out to pipe_2/in: off by 3.1 mm and 1.0°. The joint to blame. At flange_b/face 11.9 mm.",
+// or why it was not measured.
+[[nodiscard]] std::string joint_text(const JointError& joint, LengthStyle style);
+
+// "1.2 mm, U (k = 2) 0.6 mm", or why it was not measured.
+[[nodiscard]] std::string fit_up_text(const FitUp& fit_up, LengthStyle style);
+
 // Empty where nothing of the kind was looked at.
 [[nodiscard]] std::string joints_section(const DesignModel& design, const ChainResult& chain,
                                          LengthStyle style);

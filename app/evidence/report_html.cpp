@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <numbers>
 
 #include "app/common/length_text.h"
 #include "app/evidence/html_parts.h"
 #include "app/evidence/joints_report.h"
 #include "app/evidence/part_pose_report.h"
+#include "app/evidence/worst_first.h"
 #include "app/evidence/writer.h"
 #include "vision/core/version.h"
 
@@ -108,15 +108,6 @@ std::string part_rows(const Part& part, const PartFinding& finding, LengthStyle 
          escaped(finding.reason + pose_words(finding.pose, style)) + "</td></tr>\n";
 }
 
-// Worst first; among equal statuses the one that lies furthest off.
-std::vector<PartFinding> by_severity(std::vector<PartFinding> parts) {
-  std::stable_sort(parts.begin(), parts.end(), [](const PartFinding& a, const PartFinding& b) {
-    if (a.status != b.status) return worse(a.status, b.status) == a.status;
-    return a.deviation.p95_abs_m > b.deviation.p95_abs_m;
-  });
-  return parts;
-}
-
 std::string parts_section(const InspectionRecord& record) {
   std::string html =
       "<h2>Parts</h2>\n<div "
@@ -125,7 +116,9 @@ std::string parts_section(const InspectionRecord& record) {
       "class=\"n\">RMS</th>"
       "<th class=\"n\">95 % within</th><th class=\"n\">Largest</th></tr></thead><tbody>\n";
   const auto& parts = record.design->model.parts;
-  for (const auto& finding : by_severity(record.inspection.parts))
+  std::vector<PartFinding> findings = record.inspection.parts;
+  put_worst_first(findings);
+  for (const auto& finding : findings)
     html += part_rows(parts.at(static_cast<std::size_t>(finding.part)), finding, style_of(record));
   return html +
          "</tbody></table></div>\n<p>Distances of measured points to the design's surface after "
@@ -135,12 +128,7 @@ std::string parts_section(const InspectionRecord& record) {
 
 std::string dimension_rows(const Dimension& dimension, LengthStyle style) {
   const auto text = [&](double value, bool with_sign) {
-    if (!dimension.is_angle)
-      return with_sign ? signed_length_text(value, style) : length_text(value, style);
-    char degrees[32];
-    std::snprintf(degrees, sizeof degrees, with_sign ? "%+.2f°" : "%.2f°",
-                  value * 180 / std::numbers::pi);
-    return std::string(degrees);
+    return quantity_text(value, dimension.is_angle, style, with_sign);
   };
   const auto cell = [&](bool is_known, const std::string& value) {
     return "<td class=\"n\">" + (is_known ? escaped(value) : std::string("&ndash;")) + "</td>";
@@ -160,10 +148,7 @@ std::string dimension_rows(const Dimension& dimension, LengthStyle style) {
 std::string dimensions_section(const InspectionRecord& record) {
   std::vector<Dimension> dimensions = record.inspection.dimensions;
   if (dimensions.empty()) return "";
-  std::stable_sort(dimensions.begin(), dimensions.end(),
-                   [](const Dimension& a, const Dimension& b) {
-                     return a.status != b.status && worse(a.status, b.status) == a.status;
-                   });
+  put_worst_first(dimensions);
   std::string html =
       "<h2>Dimensions</h2>\n<div "
       "class=\"wide\"><table><thead><tr><th>Dimension</th><th>Kind</th><th>Status</th>"

@@ -51,10 +51,7 @@ Result<std::map<std::string, std::string>> read_fields(const std::filesystem::pa
 std::string number_text(const Feature& feature, const std::optional<double>& value,
                         LengthStyle style, bool with_sign) {
   if (!value || !std::isfinite(*value)) return "–";
-  if (!feature.is_angle)
-    return with_sign ? signed_length_text(*value, style) : length_text(*value, style);
-  const double degrees = *value * 180 / M_PI;
-  return with_sign ? fmt::format("{:+.2f}°", degrees) : fmt::format("{:.2f}°", degrees);
+  return quantity_text(*value, feature.is_angle, style, with_sign);
 }
 
 std::string description_of(const NcrDocument& document) {

@@ -72,6 +72,15 @@ TEST(LengthText, ShowsWhatIsNoNumberAsADash) {
             "-");
 }
 
+TEST(QuantityText, SaysLengthsInTheStyleAndAnglesInDegrees) {
+  const double half_degree = 0.5 * std::acos(-1.0) / 180;
+  EXPECT_EQ(quantity_text(half_degree, true, LengthStyle::kFeetInch), "0.50°");
+  EXPECT_EQ(quantity_text(half_degree, true, LengthStyle::kMillimetre, true), "+0.50°");
+  EXPECT_EQ(quantity_text(-half_degree, true, LengthStyle::kMillimetre, true), "-0.50°");
+  EXPECT_EQ(quantity_text(0.0046, false, LengthStyle::kMillimetre, true), "+4.6 mm");
+  EXPECT_EQ(quantity_text(0.0048, false, LengthStyle::kFeetInch), "3/16\"");
+}
+
 TEST(PercentText, NeverRoundsToAllOrNothing) {
   EXPECT_EQ(percent_text(0), "0 %");
   EXPECT_EQ(percent_text(0.001), "<1 %");
