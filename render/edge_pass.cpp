@@ -51,18 +51,20 @@ void EdgePass::set_edges(std::vector<MeshEdge> creases, std::vector<MeshEdge> sm
   smooth_ = std::move(smooth);
 }
 
-void EdgePass::draw(const Offscreen& target, const View& view, int lit_part, float width_px,
-                    double tolerance_m, const EdgeColours& colours) {
+void EdgePass::draw(const Offscreen& target, const View& view, const std::array<int, 2>& lit_parts,
+                    float width_px, double tolerance_m, const EdgeColours& colours) {
   // The outline depends on the eye. Found here in well under a millisecond for 100 000 triangles;
   // in a vertex shader every edge would cost four invocations, which a software driver cannot
   // afford.
   const Eigen::Vector3f eye = view.T_camera_design.inverse().translation().cast<float>();
   outline_.clear();
   append_outline(smooth_, eye, outline_);
-  // The lit part shows through what stands before it, outline and all; of other parts only the
+  // A lit part shows through what stands before it, outline and all; of other parts only the
   // creases, fainter: an outline behind something is the outline of something unseen.
-  const auto is_lit = [lit_part](const MeshEdge& edge) {
-    return lit_part >= 0 && (edge.part == lit_part || edge.other_part == lit_part);
+  const auto is_lit = [&lit_parts](const MeshEdge& edge) {
+    return std::any_of(lit_parts.begin(), lit_parts.end(), [&edge](int part) {
+      return part >= 0 && (edge.part == part || edge.other_part == part);
+    });
   };
   const auto not_lit = std::partition(outline_.begin(), outline_.end(), is_lit);
   const auto seen_through =

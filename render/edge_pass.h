@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "render/mesh_geometry.h"
@@ -25,8 +26,8 @@ class EdgePass {
   [[nodiscard]] static Result<EdgePass> create();
   void set_edges(std::vector<MeshEdge> creases, std::vector<MeshEdge> smooth);
   // Lines count as hidden by what is more than `tolerance_m` nearer.
-  void draw(const Offscreen& target, const View& view, int lit_part, float width_px,
-            double tolerance_m, const EdgeColours& colours = {});
+  void draw(const Offscreen& target, const View& view, const std::array<int, 2>& lit_parts,
+            float width_px, double tolerance_m, const EdgeColours& colours = {});
 
  private:
   ShaderProgram program_;

@@ -68,7 +68,8 @@ void MeshPass::resize_layer(const Offscreen& target) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void MeshPass::draw(const Offscreen& target, const View& view, int lit_part, double tolerance_m) {
+void MeshPass::draw(const Offscreen& target, const View& view, const std::array<int, 2>& lit_parts,
+                    double tolerance_m) {
   if (index_count_ == 0) return;
   resize_layer(target);
   glBindFramebuffer(GL_FRAMEBUFFER, layer_framebuffer_.id());
@@ -84,7 +85,8 @@ void MeshPass::draw(const Offscreen& target, const View& view, int lit_part, dou
   program_.set("u_eye_from_design", eye_from_design(view));
   program_.set("u_clip_from_eye", clip_from_eye(view));
   program_.set("u_shift_m", static_cast<float>(tolerance_m));
-  program_.set("u_lit_part", static_cast<float>(lit_part));
+  program_.set("u_lit_parts",
+               Eigen::Vector2f(static_cast<float>(lit_parts[0]), static_cast<float>(lit_parts[1])));
   program_.set("u_colour", kBody);
   program_.set("u_lit_colour", kLitBody);
   program_.set("u_opacity", kOpacity);

@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+
 #include "render/mesh_geometry.h"
 #include "render/offscreen.h"
 #include "render/shader.h"
@@ -17,7 +19,8 @@ class MeshPass {
   void set_mesh(const MeshGeometry& geometry);
   // Nearest surface only. Points up to `tolerance_m` behind the surface stay before it: the steel
   // as measured is what the picture is about. Writes depth.
-  void draw(const Offscreen& target, const View& view, int lit_part, double tolerance_m);
+  void draw(const Offscreen& target, const View& view, const std::array<int, 2>& lit_parts,
+            double tolerance_m);
 
  private:
   void resize_layer(const Offscreen& target);

@@ -61,13 +61,13 @@ Result<Image> draw_model(const TriangleMesh& mesh, std::span<const std::int32_t>
   program->set("u_eye_from_design", eye_from_design(view));
   program->set("u_clip_from_eye", clip_from_eye(view));
   program->set("u_shift_m", 0.0F);
-  program->set("u_lit_part", -1.0F);
+  program->set("u_lit_parts", Eigen::Vector2f(-1, -1));
   program->set("u_colour", kSteel);
   program->set("u_lit_colour", kSteel);
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(geometry.indices.size()), GL_UNSIGNED_INT,
                  nullptr);
   edges->set_edges(std::move(geometry.creases), std::move(geometry.smooth));
-  edges->draw(*target, view, -1, line_px, kEdgeShift_m,
+  edges->draw(*target, view, {-1, -1}, line_px, kEdgeShift_m,
               {.line = {0.10F, 0.12F, 0.15F}, .rim = {0.5F, 0.53F, 0.56F}, .shows_hidden = false});
   Image image = target->read();
   if (const Status status = gl_status("drawing the model"); !status) return status.error();

@@ -64,7 +64,8 @@ struct OverlayRenderer::Impl {
 
 namespace {
 
-constexpr std::int32_t kGhostPart = 0;  // all of it is one part, and lit
+constexpr std::int32_t kGhostPart = 0;                   // all of it is one part …
+constexpr std::array<int, 2> kGhostLit{kGhostPart, -1};  // … and lit
 constexpr float kGhostLinePx = 2.5F;
 
 // Makes a pass into its place; the first failure is kept in `status`.
@@ -160,14 +161,14 @@ Status OverlayRenderer::draw(const Offscreen& target, const View& view, const Ov
     }
   }
   if (style.show_design) {
-    impl_->mesh.draw(target, view, style.lit_part, style.occlusion_tolerance_m);
+    impl_->mesh.draw(target, view, style.lit_parts, style.occlusion_tolerance_m);
     if (style.show_patches) impl_->patches.draw(target, view, style.occlusion_tolerance_m);
-    impl_->edges.draw(target, view, style.lit_part, 1.5F * scale,
+    impl_->edges.draw(target, view, style.lit_parts, 1.5F * scale,
                       0.5 * style.occlusion_tolerance_m);
   }
   if (style.show_ghost && impl_->has_ghost) {
-    impl_->ghost_mesh.draw(target, view, kGhostPart, style.occlusion_tolerance_m);
-    impl_->ghost_edges.draw(target, view, kGhostPart, kGhostLinePx * scale,
+    impl_->ghost_mesh.draw(target, view, kGhostLit, style.occlusion_tolerance_m);
+    impl_->ghost_edges.draw(target, view, kGhostLit, kGhostLinePx * scale,
                             0.5 * style.occlusion_tolerance_m);
   }
   Status status = impl_->canvas.draw(target, draw_markers(impl_->markers, view, style.scale));

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -54,8 +55,8 @@ struct OverlayStyle {
   double inset_top_px = 0;     // covered by a strip of the screen: the legend stays clear of it
   double inset_bottom_px = 0;  // and of what covers the bottom
   LengthDisplay units = LengthDisplay::kMillimetre;
-  int lit_part = -1;   // drawn brighter
-  double scale = 1.0;  // of text and marks: pixels a density-independent unit
+  std::array<int, 2> lit_parts{-1, -1};  // drawn brighter; -1: none
+  double scale = 1.0;                    // of text and marks: pixels a density-independent unit
 };
 
 // Owns the GL side of one overlay. GL thread only; made while a context is current.

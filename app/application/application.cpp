@@ -253,7 +253,7 @@ std::vector<ScenePicture> Application::scenes() {
     design.view = design_eye_.view();
     design.show_cloud = false;
     design.markers = design_markers();
-    if (const auto lit = picks_.lit()) design.lit_part = lit->part;
+    if (const auto lit = picks_.lit()) design.lit_parts = {lit->part, -1};
     out.push_back(std::move(design));
 
     const auto [scan_width, scan_height] = whole(layout_.scan_view);
@@ -294,7 +294,7 @@ std::vector<ScenePicture> Application::scenes() {
     work.markers.push_back({*target, render::Marker::Kind::kProposed, "next"});
   if (ghost_marker_) work.markers.push_back(*ghost_marker_);
   work.show_legend = true;
-  work.lit_part = lit_part_;
+  work.lit_parts = {lit_part_, -1};
   work.legend_top_px = layout_.strip.height;
   work.legend_bottom_px = layout_.legend_bottom;
   out.push_back(std::move(work));

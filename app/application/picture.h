@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,7 +34,7 @@ struct ScenePicture {
   double legend_top_px = 0, legend_bottom_px = 0;  // between these the legend stands
   double point_px = 3;         // so large that the cloud closes to a surface as the camera sees it
   double point_spacing_m = 0;  // and from nearer
-  int lit_part = -1;
+  std::array<int, 2> lit_parts{-1, -1};
   double neutral_m = 0.001;             // half width of the grey band
   std::vector<render::Marker> markers;  // in the picture's world
 };

@@ -230,14 +230,19 @@ TEST_F(Overlay, TheLitPartIsBrighterAndBlueAndShowsThroughPoints) {
     return sum / (kWidth * kHeight);
   };
   const double plain_blue = blueness(style);
-  style.lit_part = test::kElbow;
-  EXPECT_GT(blueness(style), plain_blue + 3);
-  style.lit_part = 99;  // no such part
+  style.lit_parts = {test::kElbow, -1};
+  const double lit_blue = blueness(style);
+  EXPECT_GT(lit_blue, plain_blue + 3);
+  style.lit_parts = {-1, test::kElbow};
+  EXPECT_EQ(blueness(style), lit_blue) << "either place";
+  style.lit_parts = {test::kElbow, test::kFlange};
+  EXPECT_GT(blueness(style), lit_blue + 1) << "both sides of a joint";
+  style.lit_parts = {99, -1};  // no such part
   EXPECT_NEAR(blueness(style), plain_blue, 1e-9);
   set_measured(test::measure(scene, view_, [](auto, const auto&) { return 0.0; }));
-  style.lit_part = -1;
+  style.lit_parts = {-1, -1};
   const Image unlit = draw(style);
-  style.lit_part = test::kElbow;
+  style.lit_parts = {test::kElbow, -1};
   EXPECT_GT(different_pixels(unlit, draw(style)), 200);  // its outline, through its own points
 }
 
@@ -288,8 +293,8 @@ TEST_F(Overlay, DrawsTheSameTwice) {
   const test::Scene scene = test::make_spool();
   renderer_->set_design(scene.mesh, scene.part);
   set_measured(test::measure(scene, view_, [](auto, const auto&) { return 0.002; }));
-  const Image first = draw({.lit_part = 1});
-  EXPECT_EQ(first.rgba, draw({.lit_part = 1}).rgba);
+  const Image first = draw({.lit_parts = {1, -1}});
+  EXPECT_EQ(first.rgba, draw({.lit_parts = {1, -1}}).rgba);
 }
 
 TEST_F(Overlay, AMarkerIsDrawnAtItsPoint) {

@@ -96,7 +96,7 @@ TEST_F(OverlayGolden, MeshOnly) {
 
 TEST_F(OverlayGolden, LitPart) {
   set_design();
-  const Image image = draw({.show_legend = false, .lit_part = test::kFlange});
+  const Image image = draw({.show_legend = false, .lit_parts = {test::kFlange, -1}});
   const Eigen::Vector3f lit = colour(image, {0.4524, -0.1145, 0.265});
   EXPECT_GT(lit.z(), lit.x() + 0.1F);
   test::expect_golden("lit_part", image);
@@ -176,7 +176,7 @@ TEST_F(OverlayGolden, Full) {
       m.classes[i] = 2;
   }
   set_measured(m);
-  const Image image = draw({.show_legend = false, .lit_part = test::kFlange});
+  const Image image = draw({.show_legend = false, .lit_parts = {test::kFlange, -1}});
   const Eigen::Vector3f pipe_end = colour(image, {0.03, -0.05, 0.02});
   EXPECT_GT(pipe_end.z(), pipe_end.x() + 0.1F);
   test::expect_golden("full", image);
