@@ -32,6 +32,7 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may set 
 
 struct Flags {
   std::string design, job, operator_name, source, script, track, design_unit, size = "1280x800";
+  std::string units = "mm";
   std::string out = "out";
   double dots_per_inch = 0;  // 0: the monitor's own, 160 headless
   bool headless = false, print_targets = false;
@@ -77,6 +78,7 @@ Result<ApplicationInputs> prepare(const Flags& flags) {
   in.job = std::move(job);
   in.source_text = flags.source;
   in.out = flags.out;
+  if (flags.units == "ft-in") in.lengths = LengthStyle::kFeetInch;
   in.keep_poses = !flags.track.empty();
   const Result<Size> size = parse_size(flags.size);
   if (!size) return size.error();
@@ -235,6 +237,10 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--design-unit", flags.design_unit,
                  "m, mm or in, where the design's file does not say");
+  app.add_option("--units", flags.units,
+                 "Lengths on the screen and in the reports of checks: mm or ft-in")
+      ->check(CLI::IsMember({"mm", "ft-in"}))
+      ->capture_default_str();
   app.add_option("--out", flags.out, "Folder for pictures and evidence")->capture_default_str();
   app.add_option("--dpi", flags.dots_per_inch, "Dots an inch of the screen, where it does not say")
       ->check(spool::positive_number())

@@ -20,6 +20,7 @@ constexpr float kFrameSeconds = 1.0F / 30.0F;
 constexpr double kDesignFovDeg = 35.0;
 constexpr double kDesignMargin = 0.05;  // of its size: marks at its edge stay in the picture
 constexpr std::size_t kLandmarks = 12;  // three, and some to take instead
+constexpr double kLegendRoomDp = 360;
 constexpr double kLeastPointPx = 2.0;
 constexpr double kMostPointPx = 12.0;
 }  // namespace
@@ -162,6 +163,7 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   }
   take_distances();
   take_checks();
+  watch_results();
   take_job_checks();
   take_saved();
   take_find();
@@ -182,6 +184,7 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   for (const ui::TouchEvent& event : batch) {
     if (event.phase == ui::TouchPhase::kWheel) io.MouseWheel += static_cast<float>(event.steps);
   }
+  follow_readings();
   ImGui::NewFrame();
   const std::vector<ui::Command> commands =
       ui::draw_screen(screen_state(), theme_, layout_, targets_);
@@ -225,6 +228,15 @@ void Application::set_look(ScenePicture& scene, const VisionState& state) const 
   scene.neutral_m = std::max(kNeutralLeast, 1e-4 * std::round(1e4 * state.point_noise_m));
   if (state.scan.empty()) return;
   scene.point_spacing_m = pixel * static_cast<double>(state.scan.points[state.scan.size() / 2].z());
+}
+
+// Numbers of a live picture stand still until they changed; of one that is held they are its own.
+void Application::follow_readings() {
+  const VisionStatePtr& now = shown();
+  if (!now || now == steady_of_) return;
+  const bool afresh = !is_live() || !steady_of_ || steady_of_->alignment != now->alignment;
+  steady_.follow(now->coverage.parts, afresh);
+  steady_of_ = now;
 }
 
 // The pictures of the present screen; eyes that nobody moved yet are put where they belong.
@@ -272,9 +284,10 @@ std::vector<ScenePicture> Application::scenes() {
     out.push_back(std::move(scan));
     return out;
   }
+  const bool on_results = screen_ == ui::Screen::kResults;
   ScenePicture work;
-  work.rect = layout_.work_view;
-  work.view = camera_view(state.get(), in_.width, in_.height);
+  work.rect = on_results ? layout_.results_view : layout_.work_view;
+  work.view = on_results ? results_view() : camera_view(state.get(), in_.width, in_.height);
   if (!shows_pose()) {  // no overlay at a pose that is not believed
     work.of_scan = true;
     work.show_cloud = state != nullptr;
@@ -283,20 +296,21 @@ std::vector<ScenePicture> Application::scenes() {
     out.push_back(std::move(work));
     return out;
   }
-  if (detached_) {
-    work.view = work_eye_.view();
-  }
+  if (detached_ && !on_results) work.view = work_eye_.view();
   set_look(work, *state);
-  work.show_cloud = view_mode_ == ViewMode::kBoth || view_mode_ == ViewMode::kScan;
-  work.show_design = view_mode_ != ViewMode::kScan;
-  work.show_patches = view_mode_ == ViewMode::kSeen;
-  if (const auto& target = state->coverage.advice.target)
+  work.show_cloud = on_results || view_mode_ == ViewMode::kBoth || view_mode_ == ViewMode::kScan;
+  work.show_design = on_results || view_mode_ != ViewMode::kScan;
+  work.show_patches = !on_results && view_mode_ == ViewMode::kSeen;
+  if (const auto& target = state->coverage.advice.target; target && !on_results)
     work.markers.push_back({*target, render::Marker::Kind::kProposed, "next"});
-  if (ghost_marker_) work.markers.push_back(*ghost_marker_);
-  work.show_legend = true;
-  work.lit_parts = {lit_part_, -1};
-  work.legend_top_px = layout_.strip.height;
-  work.legend_bottom_px = layout_.legend_bottom;
+  if (ghost_marker_ && !on_results) work.markers.push_back(*ghost_marker_);
+  // Beside the rows only where there is room for it as well.
+  work.show_legend = !on_results || (layout_.results_view.width >= kLegendRoomDp * theme_.dp &&
+                                     layout_.results_view.height >= kLegendRoomDp * theme_.dp);
+  if (in_.lengths == LengthStyle::kFeetInch) work.units = render::LengthDisplay::kFeetInch;
+  work.lit_parts = lit_parts();
+  work.legend_top_px = on_results ? 0 : layout_.strip.height;
+  work.legend_bottom_px = on_results ? in_.height : layout_.legend_bottom;
   out.push_back(std::move(work));
   return out;
 }

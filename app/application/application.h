@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -21,7 +22,11 @@
 #include "app/application/job_thread.h"
 #include "app/application/picture.h"
 #include "app/application/pose_table.h"
+#include "app/application/steady_readings.h"
 #include "app/application/view_control.h"
+#include "app/common/length_text.h"
+#include "app/evidence/inspection_record.h"
+#include "app/evidence/result_rows.h"
 #include "app/runner/command_queue.h"
 #include "app/runner/feed.h"
 #include "app/ui/gestures.h"
@@ -46,6 +51,7 @@ struct ApplicationInputs {
   std::function<Result<std::unique_ptr<Feed>>()> open_feed;
   std::filesystem::path out;  // pictures and evidence go here
   std::string source_remark;  // what the fitter should know of it at once; may be empty
+  LengthStyle lengths = LengthStyle::kMillimetre;  // on the screen and in reports of checks
   double dots_per_inch = 160;
   int width = 1280, height = 800;  // px
   // Of every frame, for poses(): memory that grows with the run. Else of the last seconds only.
@@ -99,6 +105,15 @@ class Application {
     int part = -1;
   };
 
+  // Of one check, of one state.
+  struct Results {
+    VisionStatePtr state;
+    std::shared_ptr<const evidence::InspectionRecord> record;
+    std::vector<evidence::ResultRow> rows;  // of the record's inspection
+    std::vector<ui::ResultLine> lines;      // one a row
+    ui::ResultDetail readout;               // what decides
+  };
+
   explicit Application(ApplicationInputs inputs);
   // application.cpp
   void take_notes();
@@ -106,12 +121,16 @@ class Application {
     if (find_.shown()) return find_.shown();
     if (screen_ == ui::Screen::kAlign) return box_.seen_through(held_ ? held_ : seen_);
     if (held_) return held_;
+    if (screen_ == ui::Screen::kResults && results_) return results_->state;
     return frozen_ ? frozen_ : seen_;
   }
   // What is shown is what the sensor sees now, or did last.
-  [[nodiscard]] bool is_live() const { return !find_.shown() && !held_ && !frozen_; }
+  [[nodiscard]] bool is_live() const {
+    return !find_.shown() && !held_ && !frozen_ && screen_ != ui::Screen::kResults;
+  }
   void route(const std::vector<ui::TouchEvent>& events);
   [[nodiscard]] std::vector<ScenePicture> scenes();
+  void follow_readings();
   void set_look(ScenePicture& scene, const VisionState& state) const;
   [[nodiscard]] Status update_still();
   // application_commands.cpp
@@ -134,6 +153,19 @@ class Application {
   // application_check.cpp
   void start_check(bool final);
   void take_checks();
+  // application_results.cpp
+  void keep_results(VisionStatePtr state, std::shared_ptr<const evidence::InspectionRecord> record,
+                    int step_part);
+  void open_results(int row, bool alone);
+  [[nodiscard]] bool open_results_of(int part);
+  void leave_results();
+  void drop_results();
+  void watch_results();
+  [[nodiscard]] bool shows_readout() const;
+  [[nodiscard]] std::string age_of_results() const;
+  void fill_results(ui::ScreenState& out) const;
+  [[nodiscard]] std::array<int, 2> lit_parts() const;
+  [[nodiscard]] render::View results_view() const;
   // application_box.cpp
   void press_box();
   void tap_box(const ui::Gesture& gesture, double slop_px);
@@ -220,11 +252,20 @@ class Application {
   ViewControl design_eye_, scan_eye_, work_eye_;
   bool detached_ = false;
   std::string last_targets_;
+  SteadyReadings steady_;  // of the picture shown
+  VisionStatePtr steady_of_;
 
   // The job's.
   std::vector<bool> on_table_;  // one a part: it stands, or is the present step's
   std::optional<render::Marker> ghost_marker_;
   CommandQueue<StepReport> reports_;  // of checks, written
+
+  // The last check's.
+  std::optional<Results> results_;
+  bool picture_changed_ = false;  // since it was checked
+  int open_row_ = -1;
+  bool row_alone_ = false;  // opened by a tap on its part: Back goes to the work
+  ViewControl results_eye_;
 
   // Evidence.
   int shots_ = 0, checks_ = 0, checks_open_ = 0;

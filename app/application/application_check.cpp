@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/application/application.h"
+#include "app/application/result_lines.h"
 #include "app/evidence/writer.h"
 #include "vision/core/file_digest.h"
 #include "vision/scan/back_projection.h"
@@ -16,20 +17,6 @@ namespace {
 std::string digest_of(const DepthFrame& frame) {
   return sha256_hex({reinterpret_cast<const char*>(frame.depth.data()),
                      frame.depth.size() * sizeof(frame.depth.front())});
-}
-
-ui::StatusMark mark_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kOk:
-      return ui::StatusMark::kOk;
-    case Verdict::kSuspicious:
-      return ui::StatusMark::kSuspicious;
-    case Verdict::kNotOk:
-      return ui::StatusMark::kNotOk;
-    case Verdict::kNotMeasured:
-      break;
-  }
-  return ui::StatusMark::kNotMeasured;
 }
 
 }  // namespace
@@ -85,7 +72,9 @@ void Application::take_checks() {
     record->noise_m = done->state->point_noise_m;
     for (const int part : in_.design->model.datums)
       record->datum.push_back(in_.design->model.parts.at(static_cast<std::size_t>(part)).name);
+    record->feet_inches = in_.lengths == LengthStyle::kFeetInch;
     record->warnings = in_.design->model.warnings;
+    if (!done->final) keep_results(done->state, record, done->step_part);
     last_check_ = {mark_of(record->inspection.status), record->inspection.status_reason};
     Result<std::vector<evidence::OverlayPicture>> pictures = evidence::draw_overlays(*record);
     if (!pictures) {

@@ -39,7 +39,17 @@ void Application::handle(const ui::Command& command) {
     case ui::Action::kFinish:
       finish_align();
       break;
+    case ui::Action::kResults:
+      open_results(-1, false);
+      break;
+    case ui::Action::kOpenResult:
+      open_results(command.row, false);
+      break;
     case ui::Action::kBack:
+      if (screen_ == ui::Screen::kResults) {
+        leave_results();
+        break;
+      }
       stop_find();
       picks_.clear();
       box_.clear();
@@ -64,6 +74,7 @@ void Application::handle(const ui::Command& command) {
       view_mode_ = static_cast<ViewMode>((static_cast<int>(view_mode_) + 1) % kViewModes);
       break;
     case ui::Action::kCameraView:
+      results_eye_ = ViewControl();
       detached_ = false;
       break;
     case ui::Action::kToggleList:
@@ -92,6 +103,7 @@ void Application::handle(const ui::Command& command) {
         break;
       }
       stop_find();
+      drop_results();
       feed_ = std::move(*feed);
       ended_ = aligned_ = awaiting_alignment_ = false;
       alignments_asked_ = 0;
@@ -117,6 +129,14 @@ void Application::handle(const ui::Gesture& gesture) {
   }
   const VisionStatePtr& state = shown();
   if (!shows_pose()) return;
+  if (screen_ == ui::Screen::kResults) {
+    if (!results_eye_.is_started()) {
+      const render::View view = results_view();
+      results_eye_.start(view, (view.T_camera_design * in_.design->model.bounds().center()).z());
+    }
+    results_eye_.apply(gesture, layout_.results_view);
+    return;
+  }
   if (!detached_) {
     const render::View view = camera_view(state.get(), in_.width, in_.height);
     work_eye_.start(view, (view.T_camera_design * in_.design->model.bounds().center()).z());
@@ -130,10 +150,16 @@ void Application::tap(const ui::Gesture& gesture) {
   if (screen_ != ui::Screen::kAlign) {
     const VisionStatePtr& state = shown();
     if (!shows_pose()) return;
-    const render::View view =
-        detached_ ? work_eye_.view() : camera_view(state.get(), in_.width, in_.height);
-    const auto hit =
-        pick_design(in_.design->model, *in_.design->surface, {}, view, gesture.x, gesture.y, slop);
+    const bool on_results = screen_ == ui::Screen::kResults;
+    const ui::Rect& rect = on_results ? layout_.results_view : layout_.work_view;
+    if (!rect.contains(gesture.x, gesture.y)) return;
+    const render::View view = on_results  ? results_view()
+                              : detached_ ? work_eye_.view()
+                                          : camera_view(state.get(), in_.width, in_.height);
+    const auto hit = pick_design(in_.design->model, *in_.design->surface, {}, view,
+                                 gesture.x - rect.x, gesture.y - rect.y, slop);
+    if (hit && (on_results || shows_readout()) && open_results_of(hit->part)) return;
+    if (on_results) return;
     lit_part_ = hit && hit->part != lit_part_ ? hit->part : -1;
     return;
   }

@@ -141,8 +141,8 @@ void Application::fill_choose(ui::ScreenState& out) const {
   out.hint = fmt::format(
       "The drawing fits the steel in {} ways. Press Accept if it lies like this, else Next.",
       find_.choices());
-  out.choice_evidence = fmt::format("{:.0f} % of what should be seen is seen, {:.1f} mm off it.",
-                                    100 * pose->agreement, 1e3 * pose->rms_m);
+  out.choice_evidence = fmt::format("{:.0f} % of what should be seen is seen, {} off it.",
+                                    100 * pose->agreement, length_text(pose->rms_m, in_.lengths));
   out.detached = detached_;
 }
 

@@ -92,6 +92,7 @@ void Application::accept_step() {
     return;
   }
   show_step();
+  picture_changed_ = true;  // what was checked is no longer what is to be decided
   const std::string next = in_.job->part_words();
   notice(next.empty() ? part + " accepted: all steps are."
                       : fmt::format("{} accepted. Next: {}.", part, next));

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/application/application.h"
+#include "app/application/result_lines.h"
 
 namespace spool {
 
@@ -134,6 +135,7 @@ ui::ScreenState Application::screen_state() const {
                : unplugged_
                    ? "sensor unplugged"
                    : in_.source_description.substr(in_.source_description.find_last_of('/') + 1);
+  out.unit = in_.lengths == LengthStyle::kFeetInch ? "ft-in" : "mm";
   out.source_is_well = !unplugged_ && !failure_ && trouble_.words.empty();
   out.can_replay = in_.is_recording && ended_ && !held_;
   if (now_s_ < notice_until_s_) out.notice = notice_;
@@ -152,6 +154,10 @@ ui::ScreenState Application::screen_state() const {
       break;
     case ui::Screen::kWork:
       fill_work(out);
+      fill_results(out);
+      break;
+    case ui::Screen::kResults:
+      fill_results(out);
       break;
   }
   // What is wrong with the sensor comes before everything else.
@@ -180,7 +186,8 @@ void Application::fill_align(ui::ScreenState& out) const {
     ui::PairChip chip;
     chip.set = i < pairs.size();
     chip.current = i == pairs.size();
-    if (chip.set && i < result.residual_m.size()) chip.residual_mm = 1e3 * result.residual_m[i];
+    if (chip.set && i < result.residual_m.size())
+      chip.residual = length_text(result.residual_m[i], in_.lengths);
     out.chips.push_back(chip);
   }
   const bool search_speaks = fill_find(out);
@@ -263,12 +270,14 @@ void Application::fill_work(ui::ScreenState& out) const {
   if (state) {
     out.hint = state->hint;
     out.hint_is_warning = !state->hint.empty();
-    out.point_noise_mm = 1e3 * state->point_noise_m;
+    out.point_noise = length_text(state->point_noise_m, in_.lengths);
   }
   if (frozen_) {
     out.hint = "Frozen: look as long as you like; Live goes on from where the camera is.";
     out.hint_is_warning = false;
   }
+  if (out.hint.empty() && results_ && picture_changed_ && out.measured)
+    out.hint = "It is not as it was checked any more: press Check again.";
   if (out.hint.empty() && state) out.hint = state->coverage.advice.text;
   if (out.hint.empty())
     out.hint = out.step_part.empty() ? "Look where it matters, then press Check."
@@ -276,35 +285,39 @@ void Application::fill_work(ui::ScreenState& out) const {
   if (!out.measured) return;
   const std::vector<Part>& parts = in_.design->model.parts;
   const std::vector<double> shares = seen_shares(state->coverage);
-  for (std::size_t i = 0; i < state->coverage.parts.size(); ++i) {
+  const std::vector<PartReading>& readings = steady_.held();
+  for (std::size_t i = 0; i < readings.size(); ++i) {
     if (in_.job && !on_table_[i]) continue;
-    const PartReading& part = state->coverage.parts[i];
+    const PartReading& part = readings[i];
     const bool seen = part.is_seen && shares[i] >= kSeenShare;
     ui::PartLine line;
     line.part = static_cast<int>(i);
     line.name = parts[i].name;
     line.status = seen ? ui::StatusMark::kSuspicious : ui::StatusMark::kNotMeasured;
-    line.mean_mm = 1e3 * part.mean_m;
-    line.u_mm = 1e3 * part.u_m;
-    line.coverage = shares[i];
+    line.number = with_minus(signed_length_text(part.mean_m, in_.lengths));
+    line.doubt = "± " + length_text(part.u_m, in_.lengths);
+    line.side = part.mean_m < 0 ? "inside" : "outside";
+    line.seen = fmt::format("{:.0f} %", 100 * shares[i]);
     out.parts.push_back(std::move(line));
   }
   const int first = in_.job ? in_.job->part() : -1;  // what the present step is about
   std::stable_sort(out.parts.begin(), out.parts.end(),
-                   [first](const ui::PartLine& a, const ui::PartLine& b) {
+                   [first, &readings](const ui::PartLine& a, const ui::PartLine& b) {
                      if ((a.part == first) != (b.part == first)) return a.part == first;
                      const bool a_seen = a.status != ui::StatusMark::kNotMeasured;
                      const bool b_seen = b.status != ui::StatusMark::kNotMeasured;
                      if (a_seen != b_seen) return a_seen;
-                     return std::abs(a.mean_mm) > std::abs(b.mean_mm);
+                     return std::abs(readings[static_cast<std::size_t>(a.part)].mean_m) >
+                            std::abs(readings[static_cast<std::size_t>(b.part)].mean_m);
                    });
 }
 
 std::string Application::changed_targets() {
   nlohmann::json json;
-  json["screen"] = screen_ == ui::Screen::kAlign    ? "align"
-                   : screen_ == ui::Screen::kChoose ? "choose"
-                                                    : "work";
+  json["screen"] = screen_ == ui::Screen::kAlign     ? "align"
+                   : screen_ == ui::Screen::kChoose  ? "choose"
+                   : screen_ == ui::Screen::kResults ? "results"
+                                                     : "work";
   json["width"] = in_.width;
   json["height"] = in_.height;
   json["tracking"] = !state_          ? "none"
@@ -323,7 +336,22 @@ std::string Application::changed_targets() {
     json["find"]["choice"] = find_.choice();
     json["find"]["choices"] = find_.choices();
   }
-  json["hint"] = screen_state().hint;
+  const ui::ScreenState said = screen_state();
+  json["hint"] = said.hint;
+  if (said.readout_shown) {
+    json["readout"] = {{"status", ui::word(said.readout.status)},
+                       {"name", said.readout.name},
+                       {"number", said.readout.number}};
+  }
+  if (screen_ == ui::Screen::kResults) {
+    json["results"] = {{"open", open_row_}, {"rows", results_ ? results_->rows.size() : 0}};
+    for (const int part : lit_parts())
+      if (part >= 0)
+        json["results"]["lit"].push_back(
+            in_.design->model.parts[static_cast<std::size_t>(part)].name);
+    json["results"]["view"] = to_json(results_view());
+    json["results"]["view"]["rect"] = to_json(layout_.results_view);
+  }
   json["targets"] = nlohmann::json::object();
   for (const ui::Target& target : targets_.targets)
     json["targets"][target.name] = to_json(target.rect);

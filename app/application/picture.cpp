@@ -127,6 +127,7 @@ render::OverlayStyle Picture::style_of(const ScenePicture& scene) const {
   style.show_design = scene.show_design && !scene.of_scan;
   style.show_patches = scene.show_patches;
   style.show_legend = scene.show_legend;
+  style.units = scene.units;
   style.lit_parts = scene.lit_parts;
   style.point_size_px = static_cast<float>(scene.point_px);
   style.scale = dp_;

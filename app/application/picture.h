@@ -31,6 +31,7 @@ struct ScenePicture {
   bool show_design = true;
   bool show_patches = false;  // how well the design is known, on it
   bool show_legend = false;
+  render::LengthDisplay units = render::LengthDisplay::kMillimetre;  // of the legend
   double legend_top_px = 0, legend_bottom_px = 0;  // between these the legend stands
   double point_px = 3;         // so large that the cloud closes to a surface as the camera sees it
   double point_spacing_m = 0;  // and from nearer

@@ -27,11 +27,11 @@ float draw_chip(ImDrawList& list, const Theme& theme, const PairChip& chip, int 
                {centre.x - 0.5F * size.x, centre.y - 0.5F * size.y},
                chip.set ? IM_COL32(0x10, 0x14, 0x18, 255) : kTextColour, text);
   float width = 2 * radius + 8 * dp;
-  if (chip.residual_mm) {
-    std::snprintf(text, sizeof text, "%.1f mm", *chip.residual_mm);
-    const ImVec2 wide = theme.body->CalcTextSizeA(theme.body->FontSize, 1e6F, 0, text);
+  if (!chip.residual.empty()) {
+    const char* residual = chip.residual.c_str();
+    const ImVec2 wide = theme.body->CalcTextSizeA(theme.body->FontSize, 1e6F, 0, residual);
     list.AddText(theme.body, theme.body->FontSize, {at.x + width, centre.y - 0.5F * wide.y},
-                 kTextColour, text);
+                 kTextColour, residual);
     width += wide.x;
   }
   return width + 14 * dp;

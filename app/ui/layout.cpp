@@ -22,14 +22,37 @@ constexpr double kStillShare = 0.3;      // or of the screen's, where that is le
 constexpr double kStillWordsDp = 32;
 
 // Beside the last actions in landscape, above them in portrait; over the card, which stays free.
+// The list of parts has what is left.
 void place_extras(Layout& out, double dp) {
-  const double margin = kMarginDp * dp, height = kTargetDp * dp;
+  const double margin = kMarginDp * dp, height = kTargetDp * dp, least = 2.0 * dp;
   const Rect& action = out.actions[kActions - 1];
   const double x = out.portrait ? action.x : action.x - margin - action.width;
   const double room = out.card.y - out.strip.height;  // gaps close up before targets shrink
-  const double gap = std::clamp((room - kExtras * height) / kExtras, 2.0 * dp, margin);
+  const int rows = std::clamp(static_cast<int>(room / (height + least)), 1, kExtras);
+  const double gap = std::clamp((room - rows * height) / rows, least, margin);
   for (int i = 0; i < kExtras; ++i)
-    out.extras[i] = {x, out.card.y - (i + 1) * (height + gap), action.width, height};
+    out.extras[i] = {x - (i / rows) * (margin + action.width),
+                     out.card.y - (i % rows + 1) * (height + gap), action.width, height};
+  const double top = out.strip.height + margin;
+  out.list = {out.card.x, top,
+              std::min(out.card.width, out.extras[kExtras - 1].x - margin - out.card.x),
+              out.card.y - margin - top};
+}
+
+// Half of what is beside the actions, in whole pixels, as one picture is drawn beside it.
+void place_results(Layout& out, double width_px, double dp) {
+  const double margin = kMarginDp * dp, top = std::floor(out.strip.height);
+  if (out.portrait) {
+    const double end = out.actions[0].y - margin, half = std::floor(0.5 * (end - top));
+    out.results_view = {0, top, width_px, half};
+    out.results = {margin, top + half + margin, width_px - 2 * margin, end - top - half - margin};
+    return;
+  }
+  const double end = out.actions[0].x - margin;
+  const double width = std::floor(std::min(kCardWidthDp * dp, 0.5 * end));
+  const double bottom = out.card.y + out.card.height;
+  out.results = {end - width, top + margin, width, bottom - top - margin};
+  out.results_view = {0, top, std::floor(end - width - margin), std::floor(bottom + margin - top)};
 }
 
 // Above the card, where nothing else is while the spool is lost; in whole pixels.
@@ -66,6 +89,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
     out.align_card = out.card;
     place_extras(out, dp);
     place_still(out, height_px, dp);
+    place_results(out, width_px, dp);
     out.legend_bottom = out.card.y;
     const double half = std::floor(0.5 * (out.card.y - margin - top));
     out.design_view = {0, top, width_px, half};
@@ -92,6 +116,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
   out.card = {card_x, card_y, std::min(kCardWidthDp * dp, x - card_x - margin), kCardDp * dp};
   place_extras(out, dp);
   place_still(out, height_px, dp);
+  place_results(out, width_px, dp);
   out.legend_bottom = beside ? height_px : card_y;
   out.align_card = {margin, out.card.y, x - 2 * margin, out.card.height};
   const double half = std::floor(0.5 * (x - margin));

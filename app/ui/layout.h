@@ -20,7 +20,7 @@ inline constexpr double kBodySp = 16;
 inline constexpr double kSmallSp = 14;
 inline constexpr double kNumberSp = 30;
 inline constexpr int kActions = 5;
-inline constexpr int kExtras = 3;
+inline constexpr int kExtras = 4;
 
 // Pixels of one density-independent unit (1/160 inch). Under 160 dots an inch text would get too
 // few pixels to be read, so a unit is never less than one pixel.
@@ -30,7 +30,9 @@ struct Layout {
   bool portrait = false;
   Rect strip;                // words along the top
   Rect actions[kActions];    // where the thumb is: right edge, or the bottom in portrait
-  Rect extras[kExtras];      // beside the actions, from the thumb away: what is not always there
+  Rect extras[kExtras];      // beside the actions, from the thumb away: what is not always there;
+                             // in as many columns as they need
+  Rect list;                 // Work: the parts, above the card and clear of the extras
   Rect card;                 // Work: the readout, bottom left
   Rect still;                // Work, while the spool is lost: its last good view, 4:3
   Rect still_words;          // under it
@@ -39,6 +41,8 @@ struct Layout {
   Rect work_view;            // the steel: everything
   Rect design_view;          // Align: side by side, above each other in portrait
   Rect scan_view;
+  Rect results;       // Results: the rows or numbers, where the thumb is
+  Rect results_view;  // beside or above them: the steel
 };
 
 [[nodiscard]] Layout lay_out(double width_px, double height_px, double dp);

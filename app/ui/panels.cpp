@@ -46,7 +46,7 @@ void draw_strip(const ScreenState& state, const Painter& painter) {
     list.AddText({x, middle - 0.5F * size.y}, tint, text.c_str());
   };
   ImGui::PushFont(painter.theme.body);
-  put("mm", kDimTextColour);
+  put(state.unit, kDimTextColour);
   x -= 18 * dp;
   const float source_room = std::max(0.0F, 0.3F * width);
   put(fitted(state.source, source_room), state.source_is_well ? kDimTextColour : kNotOkColour);
@@ -79,6 +79,9 @@ std::vector<Command> draw_screen(const ScreenState& state, const Theme& theme, c
       break;
     case Screen::kWork:
       draw_work(state, painter, commands);
+      break;
+    case Screen::kResults:
+      draw_results(state, painter, commands);
       break;
   }
   return commands;

@@ -20,6 +20,8 @@ void draw_strip(const ScreenState& state, const Painter& painter);
 void draw_find_bar(const Painter& painter, double share);  // within the open panel
 void draw_align(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
 void draw_choose(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
+void draw_results(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
+void draw_readout(const ScreenState& state, const Painter& painter);  // within the open panel
 void draw_work(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
 
 }  // namespace spool::ui

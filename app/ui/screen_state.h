@@ -3,16 +3,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/ui/results_state.h"
+
 namespace spool::ui {
 
-enum class Screen { kAlign, kChoose, kWork };
-
-// A status has its own outline and word; colour comes third.
-enum class StatusMark { kOk, kSuspicious, kNotOk, kNotMeasured };
+enum class Screen { kAlign, kChoose, kWork, kResults };
 
 // How well the camera's place is known.
 enum class TrackingMark { kNone, kGood, kPoor, kPaused, kFrozen, kLost };
@@ -20,8 +18,8 @@ enum class TrackingMark { kNone, kGood, kPoor, kPaused, kFrozen, kLost };
 // One pick of the alignment.
 struct PairChip {
   bool set = false;
-  bool current = false;               // the one that the next tap makes
-  std::optional<double> residual_mm;  // after three
+  bool current = false;  // the one that the next tap makes
+  std::string residual;  // after three: how far it is off, "1.2 mm"
 };
 
 // One line of the list of parts, worst first.
@@ -29,9 +27,10 @@ struct PartLine {
   int part = -1;
   std::string name;
   StatusMark status = StatusMark::kNotMeasured;
-  double mean_mm = 0;   // + outside the design's surface
-  double u_mm = 0;      // of the mean: two standard deviations
-  double coverage = 0;  // 0 to 1, of the part's surface
+  std::string number;  // mean deviation: "+1.2 mm"
+  std::string doubt;   // of it: "± 0.4 mm"
+  std::string side;    // of the drawing's surface: "outside"
+  std::string seen;    // of the part's surface: "72 %"
 };
 
 struct ScreenState {
@@ -39,6 +38,7 @@ struct ScreenState {
   std::string title;   // the spool
   std::string step;    // of a job: "step 4 of 11"; empty: there is no job
   std::string source;  // one line: camera or recording
+  std::string unit;    // that lengths are said in: "mm", "ft-in"
   bool source_is_well = true;
   TrackingMark tracking = TrackingMark::kNone;
   std::string hint;  // what to do next: never empty
@@ -71,7 +71,7 @@ struct ScreenState {
   bool measured = false;        // numbers below belong to the picture
   std::vector<PartLine> parts;  // worst first
   int lit_part = -1;
-  double point_noise_mm = 0;  // one standard deviation of a point here
+  std::string point_noise;  // one standard deviation of a point here: "0.8 mm"
   StatusMark overall = StatusMark::kNotMeasured;
   std::string overall_reason;
   bool checked = false;      // `overall` is from a check of this very frame
@@ -85,6 +85,13 @@ struct ScreenState {
   std::string step_part;    // of a job: what the step is of
   bool can_accept = false;  // the step, on the check just made
   std::string accept_word;  // under Accept: what the check said, or what is missing
+
+  // Of the last check
+  bool has_results = false;
+  bool readout_shown = false;  // on the card: the picture is still as it was checked
+  ResultDetail readout;        // the number that decides
+  std::string readout_of;      // "Checked 12 s ago", and the worst of all
+  ResultsState results;        // Results
 };
 
 enum class Action {
@@ -108,12 +115,15 @@ enum class Action {
   kFinish,
   kBack,
   kToggleList,
-  kLightPart
+  kLightPart,
+  kResults,     // of the last check: their list
+  kOpenResult,  // one row of them
 };
 
 struct Command {
   Action action = Action::kShot;
   int part = -1;  // of kLightPart
+  int row = -1;   // of kOpenResult
 };
 
 }  // namespace spool::ui

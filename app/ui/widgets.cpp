@@ -3,12 +3,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/ui/widgets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace spool::ui {
 
 namespace {
+
+constexpr double kDragSlopDp = 19;  // 3 mm: a glove rolls so far in a tap
 
 ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
@@ -132,6 +135,54 @@ void draw_tracking(ImDrawList& list, TrackingMark mark, ImVec2 c, float r) {
       list.AddCircle(c, r, kNotMeasuredColour, 20, 0.25F * r);
       break;
   }
+}
+
+bool begin_drag_panel(const Painter& painter, const char* name, const Rect& rect) {
+  begin_panel(painter, name, rect);
+  const ImGuiIO& io = ImGui::GetIO();
+  const double slop = kDragSlopDp * painter.theme.dp;
+  const bool is_dragged =
+      (io.MouseDown[0] || io.MouseReleased[0]) &&
+      rect.contains(double{io.MouseClickedPos[0].x}, double{io.MouseClickedPos[0].y}) &&
+      double{io.MouseDragMaxDistanceSqr[0]} > slop * slop;
+  if (is_dragged && io.MouseDown[0]) ImGui::SetScrollY(ImGui::GetScrollY() - io.MouseDelta.y);
+  const ImVec2 at = ImGui::GetCursorScreenPos();  // what lies in it stands on whole pixels
+  ImGui::SetCursorScreenPos({std::ceil(at.x), std::ceil(at.y)});
+  return is_dragged;
+}
+
+void end_drag_panel(const Painter& painter, const Rect& rect) {
+  const float most = ImGui::GetScrollMaxY(), at = ImGui::GetScrollY();
+  if (most > 0) {
+    const auto dp = static_cast<float>(painter.theme.dp);
+    const auto height = static_cast<float>(rect.height);
+    const float shown = height * height / (height + most);
+    const float top =
+        static_cast<float>(rect.y) + (height - shown) * std::clamp(at / most, 0.0F, 1.0F);
+    const float right = static_cast<float>(rect.x + rect.width) - 3 * dp;
+    ImGui::GetWindowDrawList()->AddRectFilled({right - 5 * dp, top}, {right, top + shown},
+                                              kNotMeasuredColour, 2.5F * dp);
+  }
+  ImGui::End();
+}
+
+float draw_lines(ImDrawList& list, ImFont* font, ImVec2 at, ImU32 tint, const std::string& text,
+                 float width, int most_lines) {
+  ImGui::PushFont(font);
+  const char* from = text.c_str();
+  const char* end = from + text.size();
+  for (int line = 0; from < end && line < most_lines; ++line) {
+    const bool is_last = line + 1 == most_lines;
+    const char* to = is_last ? end : font->CalcWordWrapPositionA(1.0F, from, end, width);
+    if (to <= from) to = end;  // not one word has room
+    const std::string words = fitted(std::string(from, to), width);
+    list.AddText(font, font->FontSize, at, tint, words.c_str());
+    at.y += font->FontSize;
+    from = to;
+    while (from < end && *from == ' ') ++from;
+  }
+  ImGui::PopFont();
+  return at.y;
 }
 
 std::string fitted(const std::string& text, float width) {

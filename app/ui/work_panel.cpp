@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/ui/panels.h"
 
@@ -11,25 +10,9 @@ namespace spool::ui {
 
 namespace {
 
-// A true minus sign is as wide as a plus: numbers do not jump when their sign changes.
-std::string signed_mm(double mm) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", std::abs(mm));
-  const bool zero = std::string(text) == "0.0";
-  return (zero ? "" : (mm < 0 ? "−" : "+")) + std::string(text);
-}
-
-const char* direction(double mm) { return mm < 0 ? "inside" : "outside"; }
-
 std::string numbers_of(const PartLine& line) {
-  char text[96];
-  if (line.status == StatusMark::kNotMeasured) {
-    std::snprintf(text, sizeof text, "%.0f %% seen", 100 * line.coverage);
-    return text;
-  }
-  std::snprintf(text, sizeof text, "%s ± %.1f mm   %.0f %% seen", signed_mm(line.mean_mm).c_str(),
-                line.u_mm, 100 * line.coverage);
-  return text;
+  if (line.status == StatusMark::kNotMeasured) return line.seen + " seen";
+  return line.number + " " + line.doubt + "   " + line.seen + " seen";
 }
 
 void draw_deciding(const ScreenState& state, const Painter& painter, float width) {
@@ -52,24 +35,20 @@ void draw_deciding(const ScreenState& state, const Painter& painter, float width
   const bool is_seen = worst.status != StatusMark::kNotMeasured;
   ImGui::PushFont(painter.theme.number);
   if (is_seen) {
-    ImGui::Text("%s mm", signed_mm(worst.mean_mm).c_str());
+    ImGui::TextUnformatted(worst.number.c_str());
   } else {
     ImGui::TextUnformatted(word(worst.status));
   }
   ImGui::PopFont();
   ImGui::PushFont(painter.theme.body);
-  const std::string where = worst.name + ": " + direction(worst.mean_mm) + " the drawing";
+  const std::string where = worst.name + ": " + worst.side + " the drawing";
   ImGui::TextUnformatted(fitted(is_seen ? where : worst.name, width).c_str());
   ImGui::PopFont();
   ImGui::PushFont(painter.theme.small);
   ImGui::PushStyleColor(ImGuiCol_Text, kDimTextColour);
-  char text[128];
-  if (is_seen) {
-    std::snprintf(text, sizeof text, "%s · ± %.1f mm · %.0f %% seen", word(worst.status),
-                  worst.u_mm, 100 * worst.coverage);
-  } else {
-    std::snprintf(text, sizeof text, "point noise %.1f mm", state.point_noise_mm);
-  }
+  const std::string text =
+      is_seen ? std::string(word(worst.status)) + " · " + worst.doubt + " · " + worst.seen + " seen"
+              : "point noise " + state.point_noise;
   ImGui::TextUnformatted(fitted(text, width).c_str());
   ImGui::PopStyleColor();
   ImGui::PopFont();
@@ -96,17 +75,15 @@ void draw_rows(const ScreenState& state, const Painter& painter, ImVec2 at, floa
 
 // All parts, each a target of full height; a tap lights the part.
 void draw_list(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
-  const Rect& card = painter.layout.card;
   const double dp = painter.theme.dp;
-  const double top = painter.layout.strip.height + 8 * dp;
-  const Rect rect{card.x, top, card.width, card.y - 8 * dp - top};
-  begin_panel(painter, "parts", rect);
+  const Rect& rect = painter.layout.list;
+  const bool is_dragged = begin_drag_panel(painter, "parts", rect);
   for (const PartLine& line : state.parts) {
     ImGui::PushID(line.part);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const auto height = static_cast<float>(kTargetDp * dp);
-    if (ImGui::InvisibleButton("row", {width, height})) {
+    const float width = ImGui::GetContentRegionAvail().x - static_cast<float>(8 * dp);
+    const float height = std::ceil(static_cast<float>(kTargetDp * dp));  // on whole pixels
+    if (ImGui::InvisibleButton("row", {width, height}) && !is_dragged) {
       commands.push_back({Action::kLightPart, line.part});
     }
     // Only what is in sight of the scrolled list can be tapped.
@@ -119,13 +96,14 @@ void draw_list(const ScreenState& state, const Painter& painter, std::vector<Com
       list.AddRectFilled(at, {at.x + width, at.y + height}, IM_COL32(0x56, 0xB4, 0xE9, 60), 8 * d);
     }
     draw_mark(list, line.status, {at.x + 24 * d, at.y + 0.5F * height}, 14 * d);
-    list.AddText(painter.theme.body, painter.theme.body->FontSize, {at.x + 52 * d, at.y + 14 * d},
-                 kTextColour, (line.name + " · " + word(line.status)).c_str());
-    list.AddText(painter.theme.small, painter.theme.small->FontSize, {at.x + 52 * d, at.y + 42 * d},
-                 kDimTextColour, numbers_of(line).c_str());
+    const float room = width - 56 * d;
+    draw_lines(list, painter.theme.body, {at.x + 52 * d, at.y + 14 * d}, kTextColour,
+               line.name + " · " + word(line.status), room, 1);
+    draw_lines(list, painter.theme.small, {at.x + 52 * d, at.y + 42 * d}, kDimTextColour,
+               numbers_of(line), room, 1);
     ImGui::PopID();
   }
-  ImGui::End();
+  end_drag_panel(painter, rect);
 }
 
 void draw_card(const ScreenState& state, const Painter& painter, std::vector<Command>& commands) {
@@ -134,7 +112,8 @@ void draw_card(const ScreenState& state, const Painter& painter, std::vector<Com
   begin_panel(painter, "card", card);
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float inner = ImGui::GetContentRegionAvail().x;
-  const bool listed = state.measured && !state.parts.empty();
+  const bool read_out = state.readout_shown;
+  const bool listed = state.measured && !state.parts.empty() && !read_out;
   const float left = listed ? 0.42F * inner : inner;
   if (listed) {
     painter.targets.targets.push_back({"Parts", card});
@@ -143,11 +122,21 @@ void draw_card(const ScreenState& state, const Painter& painter, std::vector<Com
     }
     ImGui::SetCursorScreenPos(start);
   }
-  draw_deciding(state, painter, left - 8 * dp);
+  if (read_out) {
+    painter.targets.targets.push_back({"Results", card});
+    if (ImGui::InvisibleButton("results", ImGui::GetContentRegionAvail()))
+      commands.push_back({Action::kResults});
+    ImGui::SetCursorScreenPos(start);
+    draw_readout(state, painter);
+  } else {
+    draw_deciding(state, painter, left - 8 * dp);
+  }
   if (listed) draw_rows(state, painter, {start.x + left, start.y + 2 * dp}, inner - left, 3);
   // The foot: what to do, or what just happened.
-  const std::string& foot =
-      state.notice.empty() ? (listed ? state.hint : state.notice) : state.notice;
+  const std::string& foot = !state.notice.empty()                ? state.notice
+                            : read_out && !state.hint_is_warning ? state.readout_of
+                            : listed || read_out                 ? state.hint
+                                                                 : state.notice;
   if (!foot.empty()) {
     ImGui::PushFont(painter.theme.small);
     const float y =
@@ -226,6 +215,9 @@ void draw_extras(const ScreenState& state, const Painter& painter, std::vector<C
     commands.push_back({Action::kSaveLast});
   if (state.aligned && big_button(painter, "View", layout.extras[2], state.view_word))
     commands.push_back({Action::kView});
+  if (state.has_results && !state.readout_shown &&
+      big_button(painter, "Results", layout.extras[3], "of the check"))
+    commands.push_back({Action::kResults});
 }
 
 }  // namespace
@@ -234,7 +226,8 @@ void draw_work(const ScreenState& state, const Painter& painter, std::vector<Com
   const Layout& layout = painter.layout;
   if (state.still_shown) draw_still(painter);
   if (state.sight_shown) draw_sight_legend(painter);
-  if (state.list_open && state.measured) draw_list(state, painter, commands);
+  if (state.list_open && state.measured && !state.readout_shown)
+    draw_list(state, painter, commands);
   draw_card(state, painter, commands);
   if (big_button(painter, "Align", layout.actions[0])) commands.push_back({Action::kAlign});
   if (state.measured) {

@@ -23,7 +23,6 @@ bool is_beyond(double size, double u, double tolerance, double twentieth, double
 }  // namespace
 
 Verdict decide(const Conformance& conformance) {
-  constexpr double kProvedRight = 0.95, kProvedWrong = 0.05;
   if (conformance.probability >= kProvedRight) return Verdict::kOk;
   return conformance.probability <= kProvedWrong && conformance.is_beyond ? Verdict::kNotOk
                                                                           : Verdict::kSuspicious;

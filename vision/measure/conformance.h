@@ -19,6 +19,7 @@ struct Conformance {
   bool is_beyond = false;
 };
 
+inline constexpr double kProvedRight = 0.95, kProvedWrong = 0.05;
 // ok from a probability of 0.95 on; not_ok to 0.05 where the reading is beyond as well (ISO
 // 14253-1's default of 95 %, for either side who must prove); between, nobody can tell.
 [[nodiscard]] Verdict decide(const Conformance& conformance);
