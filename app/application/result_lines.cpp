@@ -126,16 +126,22 @@ ResultDetail detail_of(const DesignModel& design, const Inspection& inspection,
     out.to_do = {joint.reason + "."};
     return out;
   }
+  // Of a length of three components along its own way, to first order.
+  const auto doubt_along = [&](int first) {
+    const Eigen::Vector3d error = joint.error.segment<3>(first);
+    const Eigen::Matrix3d covariance = joint.covariance.block<3, 3>(first, first);
+    // Of none, the largest there could be.
+    if (!(error.norm() > 0)) return std::sqrt(covariance.trace());
+    const Eigen::Vector3d way = error.normalized();
+    return std::sqrt(way.dot(covariance * way));
+  };
+  const auto angle = [&](double rad) { return quantity_text(rad, true, style); };
   out.number = length_text(joint.error.head<3>().norm(), style);
-  out.doubt = "and " + quantity_text(joint.error.tail<3>().norm(), true, style);
-  // Of a sum of squares along its own way, first order.
-  const Eigen::Vector3d way = joint.error.head<3>().norm() > 0
-                                  ? Eigen::Vector3d(joint.error.head<3>().normalized())
-                                  : Eigen::Vector3d::Zero();
-  const double u = std::sqrt(way.dot(joint.covariance.topLeftCorner<3, 3>() * way));
-  out.facts.emplace_back("Aside", out.number + " ± " + length_text(2 * u, style) + " (k = 2)");
-  out.facts.emplace_back("Turned or tilted",
-                         quantity_text(joint.error.tail<3>().norm(), true, style));
+  const std::string u = "± " + length_text(2 * doubt_along(0), style);
+  const std::string turn = angle(joint.error.tail<3>().norm()) + " ± " + angle(2 * doubt_along(3));
+  out.doubt = u + ", and " + turn;
+  out.facts.emplace_back("Aside", out.number + " " + u + " (k = 2)");
+  out.facts.emplace_back("Turned or tilted", turn + " (k = 2)");
   out.facts.emplace_back("Against its limits",
                          fmt::format("{:.0f} %", 100 * joint.against_tolerance));
   for (const UnobservedMotion& motion : joint.unobserved)

@@ -136,9 +136,10 @@ void draw_readout(const ScreenState& state, const Painter& painter) {
   // As many lines as there are above the foot.
   const float foot = static_cast<float>(painter.layout.card.y + painter.layout.card.height) -
                      theme.small->FontSize - 10 * dp;
-  const int lines = static_cast<int>((foot - y) / theme.small->FontSize);
+  y += 3 * dp;
+  const int lines = static_cast<int>((foot - y) / theme.body->FontSize);
   if (!readout.to_do.empty() && lines > 0)
-    draw_lines(list, theme.small, {at.x, y}, kGhostColour, readout.to_do.front(), width, lines);
+    draw_lines(list, theme.body, {at.x, y}, kGhostColour, readout.to_do.front(), width, lines);
 }
 
 void draw_results(const ScreenState& state, const Painter& painter,

@@ -51,6 +51,7 @@ class ResultLines : public testing::Test {
     joint.against_tolerance = 2;
     joint.error[0] = 0.003;
     joint.covariance(0, 0) = 1e-8;
+    joint.covariance(5, 5) = std::pow(0.25 * M_PI / 180, 2);
     inspection_.chain.joints = {joint};
     Bump bump;
     bump.part = 2;
@@ -137,6 +138,7 @@ TEST_F(ResultLines, SayOfAJointItsErrorAndTheBumpIfItIsToBlame) {
   const ResultRow row{ResultKind::kJoint, 0, Verdict::kNotOk, 2, {1, 2}};
   EXPECT_EQ(detail(row).name, "Joint W2, P1 out to E2 in");
   EXPECT_EQ(detail(row).number, "3.0 mm");
+  EXPECT_EQ(detail(row).doubt, "± 0.2 mm, and 0.00° ± 0.50°");
   EXPECT_EQ(fact(detail(row), "Aside"), "3.0 mm ± 0.2 mm (k = 2)");
   EXPECT_EQ(detail(row).to_do[0].substr(0, 7), "Turn E2");
   inspection_.chain.joints[0].is_to_blame = false;
