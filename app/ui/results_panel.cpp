@@ -130,7 +130,7 @@ void draw_readout(const ScreenState& state, const Painter& painter) {
   const float width = ImGui::GetContentRegionAvail().x;
   const ResultDetail& readout = state.readout;
   const Theme& theme = painter.theme;
-  float y = draw_number(readout, painter, list, at, width);
+  float y = draw_number(readout, painter, list, at, width) + 4 * dp;
   y = draw_lines(list, theme.body, {at.x, y}, kTextColour,
                  std::string(word(readout.status)) + " · " + readout.name, width, 1);
   // As many lines as there are above the foot.
