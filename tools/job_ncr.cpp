@@ -36,9 +36,7 @@ Result<int> write_report(const NcrOptions& options) {
   if (!evidence) return evidence.error();
   const auto document = ncr::fill_form(*job, options.job, *std::move(evidence), input);
   if (!document) return document.error();
-  const auto issued = ncr::issue_ncr(
-      options.job, *prefix,
-      [&](const std::string& number) { return ncr::ncr_files(*document, number); }, options.out);
+  const auto issued = ncr::write_ncr(*document, options.job, *prefix, options.out);
   if (!issued) return issued.error();
   std::cout << issued->number << "\n";
   std::cerr << "written to " << issued->folder.string() << "\n";

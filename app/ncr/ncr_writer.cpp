@@ -22,4 +22,11 @@ Result<std::vector<NcrFile>> ncr_files(NcrDocument document, const std::string& 
                               {number + ".bcfzip", *std::move(bcf)}};
 }
 
+Result<Issued> write_ncr(const NcrDocument& document, const std::filesystem::path& job_folder,
+                         const std::string& prefix, const std::filesystem::path& copy_to) {
+  return issue_ncr(
+      job_folder, prefix, [&](const std::string& number) { return ncr_files(document, number); },
+      copy_to);
+}
+
 }  // namespace spool::ncr

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,12 @@ namespace spool::ncr {
 // kInternal where cairo or libzip fails. One thread.
 [[nodiscard]] Result<std::vector<NcrFile>> ncr_files(NcrDocument document,
                                                      const std::string& number);
+
+// Gives the document the next number of `prefix` and puts its files into the job, as issue_ncr()
+// does, which says what fails and that nothing is used up then. One thread.
+[[nodiscard]] Result<Issued> write_ncr(const NcrDocument& document,
+                                       const std::filesystem::path& job_folder,
+                                       const std::string& prefix,
+                                       const std::filesystem::path& copy_to = {});
 
 }  // namespace spool::ncr
