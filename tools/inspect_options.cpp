@@ -147,6 +147,7 @@ Result<InspectorOptions> inspector_options(const InspectOptions& options) {
     const auto pose = read_pose(options.pose);
     if (!pose) return pose.error();
     inspector.T_design_scan = *pose;
+    inspector.posed_by = parse_align_method(options.posed_by);
   }
   return inspector;
 }

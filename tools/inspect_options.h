@@ -23,6 +23,8 @@ struct InspectOptions {
   std::optional<std::int64_t> frame;  // the first if unset
   std::string align;                  // empty: by what else is given
   std::string pairs, pose;
+  // No flag: of an entry whose pose was come by in the app, and how (a method's name).
+  std::string posed_by;
   std::string datum;  // part names with commas between
   std::string standard = "pfi-es3";
   std::string design_unit, scan_unit;

@@ -113,6 +113,11 @@ Result<int> replay(const EvidenceOptions& asked, const std::string& out) {
   const auto difference = evidence::compare_reports(*stored, *again, renamed(*stored, *options));
   for (const auto& each : difference.differences) std::cout << plain_text(each) << "\n";
   differences += difference.differences.size();
+  if (difference.over_frames > 0)
+    std::cout << fmt::format(
+        "note: what the camera saw of {} parts over many frames (over_frames) is stored and not "
+        "made again\n",
+        difference.over_frames);
   if (stored->value("software", nlohmann::json()) != again->value("software", nlohmann::json()))
     std::cout << "note: the report was made by another version of SpoolSight\n";
   std::cout << fmt::format(

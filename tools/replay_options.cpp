@@ -16,6 +16,7 @@ std::map<std::string, std::string*> fields_of(InspectOptions& options) {
   return {{"align", &options.align},
           {"pairs", &options.pairs},
           {"pose", &options.pose},
+          {"posed_by", &options.posed_by},
           {"datum", &options.datum},
           {"standard", &options.standard},
           {"design_unit", &options.design_unit},
@@ -78,7 +79,8 @@ Result<InspectOptions> options_from(const std::map<std::string, std::string>& te
       return Error{ErrorCode::kBadInput, where + ": the option " + name + " = " + value +
                                              " is none that this SpoolSight knows"};
   }
-  if (!parse_align_method(options.align))
+  if (!parse_align_method(options.align) ||
+      (!options.posed_by.empty() && !parse_align_method(options.posed_by)))
     return Error{ErrorCode::kBadInput,
                  where + ": says no method of alignment that this SpoolSight knows"};
   return options;

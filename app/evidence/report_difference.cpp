@@ -23,6 +23,10 @@ class Comparison {
 
   void compare(const json& stored, const json& again, const std::string& at) {
     if (std::find(kIgnored.begin(), kIgnored.end(), at) != kIgnored.end()) return;
+    if (again.is_null() && at.starts_with("/parts/") && at.ends_with("/over_frames")) {
+      ++result_.over_frames;
+      return;
+    }
     if (stored.is_number() && again.is_number()) {
       compare_numbers(stored.get<double>(), again.get<double>(), at);
     } else if (stored.is_object() && again.is_object()) {

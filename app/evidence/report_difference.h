@@ -21,11 +21,13 @@ struct ReportDifference {
   std::vector<std::string> differences;  // "/parts/0/status: ok was suspicious", all of them
   std::size_t numbers = 0;               // compared
   double largest = 0;                    // between two numbers
+  std::size_t over_frames = 0;           // parts[].over_frames that were not made again
 };
 
 // Compares everything but times and dates (created, timing_s, alignment/seconds), the options, what
 // the stored frame is called (file, kind and frame of the scan, the source's description) and which
-// software made it. Pure.
+// software made it. What a live check says of many frames beside its numbers (parts[].over_frames)
+// cannot be made again of one, and is counted. Pure.
 [[nodiscard]] ReportDifference compare_reports(const nlohmann::json& stored,
                                                const nlohmann::json& again,
                                                const CompareOptions& options = {});

@@ -77,35 +77,40 @@ double median_range(const PointCloud& cloud) {
 
 Result<ScanSnapshot> read_frame_scan(const std::string& text, std::int64_t number,
                                      const std::optional<Calibration>& known) {
-  const auto one = read_one_frame(text, number);
+  auto one = read_one_frame(text, number);
   if (!one) return one.error();
-  const auto& frame = one->frame;
-  Camera camera = one->camera;
-  if (known) camera.calibration = *known;
-  auto organised = back_project(*frame, camera);
-  if (!organised) return Error{organised.error().code, text + ": " + organised.error().message};
-  ScanSnapshot scan;
-  estimate_organised_normals(*organised, camera, scan.noise);
-  scan.cloud = measured_points(*organised);
-  if (scan.cloud.empty())
-    return Error{ErrorCode::kBadInput, text + ": frame " + std::to_string(number) +
-                                           " measured nothing; choose another frame"};
-  scan.record.file = text;
-  scan.record.sha256 = digest_of(*frame);
-  scan.record.kind = kind_of(text);
-  scan.record.points = scan.cloud.size();
-  scan.record.frame = frame->index;
-  scan.sensor = one->description;
-  scan.calibration = camera.calibration;
-  scan.correlated = correlated_readings(camera, 1);
-  scan.noise_m = scan.noise.axial_m(median_range(scan.cloud));
-  scan.single_frame = true;
-  scan.warnings.push_back("One frame of the recording is used, frame " +
-                          std::to_string(frame->index) + "; the others are not looked at.");
-  return scan;
+  if (known) one->camera.calibration = *known;
+  return frame_snapshot(*one, text, kind_of(text));
 }
 
 }  // namespace
+
+Result<ScanSnapshot> frame_snapshot(const OneFrame& one, const std::string& file,
+                                    const std::string& kind, const NoiseModel& noise) {
+  const DepthFrame& frame = *one.frame;
+  auto organised = back_project(frame, one.camera);
+  if (!organised) return Error{organised.error().code, file + ": " + organised.error().message};
+  ScanSnapshot scan;
+  scan.noise = noise;
+  estimate_organised_normals(*organised, one.camera, scan.noise);
+  scan.cloud = measured_points(*organised);
+  if (scan.cloud.empty())
+    return Error{ErrorCode::kBadInput, file + ": frame " + std::to_string(frame.index) +
+                                           " measured nothing; choose another frame"};
+  scan.record.file = file;
+  scan.record.sha256 = digest_of(frame);
+  scan.record.kind = kind;
+  scan.record.points = scan.cloud.size();
+  scan.record.frame = frame.index;
+  scan.sensor = one.description;
+  scan.calibration = one.camera.calibration;
+  scan.correlated = correlated_readings(one.camera, 1);
+  scan.noise_m = scan.noise.axial_m(median_range(scan.cloud));
+  scan.single_frame = true;
+  scan.warnings.push_back("One frame of the recording is used, frame " +
+                          std::to_string(frame.index) + "; the others are not looked at.");
+  return scan;
+}
 
 Result<OneFrame> read_one_frame(const std::string& text, std::int64_t number) {
   auto source = sensor::open_source(text, {.speed = 0, .first_frame = number});

@@ -40,6 +40,12 @@ struct OneFrame {
   std::string description;  // of the source
 };
 [[nodiscard]] Result<OneFrame> read_one_frame(const std::string& text, std::int64_t number);
+// What an inspection takes of a frame that is at hand: `file` and `kind` are how the report names
+// where it is from. kBadInput: of another size than the camera's, or it measured nothing. Any
+// thread.
+[[nodiscard]] Result<ScanSnapshot> frame_snapshot(const OneFrame& one, const std::string& file,
+                                                  const std::string& kind,
+                                                  const NoiseModel& noise = {});
 // SHA-256 of a frame's counts, as ScanRecord has it.
 [[nodiscard]] std::string digest_of(const DepthFrame& frame);
 

@@ -47,5 +47,16 @@ TEST(ReportDifference, IsToldWithItsPlace) {
             "/warnings/0: is \"b\" and was \"a/scan.ply: has no unit\"");
 }
 
+// One frame cannot say again what many did; what they are said to have shown is none of its
+// numbers.
+TEST(ReportDifference, CountsWhatManyFramesSaidAndOneCannotSayAgain) {
+  json stored = kReport;
+  stored["parts"][0]["over_frames"] = {{"mean_m", 0.001}, {"coverage", 0.5}};
+  const auto made_again = compare_reports(stored, kReport);
+  EXPECT_TRUE(made_again.differences.empty()) << made_again.differences.front();
+  EXPECT_EQ(made_again.over_frames, 1u);
+  EXPECT_EQ(compare_reports(kReport, stored).differences.size(), 1u) << "it was not there";
+}
+
 }  // namespace
 }  // namespace spool::test
