@@ -192,7 +192,8 @@ Result<int> run_window(const Flags& flags, TapScript script) {
     const double now =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     for (const ui::TouchEvent& event : script.until(now, width, height)) events.push_back(event);
-    if (const Status drawn = (*app)->frame(now, events); !drawn) return drawn.error();
+    if (const Status drawn = (*app)->frame(now, events, window->keys()); !drawn)
+      return drawn.error();
     (*app)->picture().target().show(width, height);
     window->swap();
     print_targets(flags, **app);
@@ -225,10 +226,12 @@ int main(int argc, char** argv) {
       app.add_option("--design", flags.design, "Design: .glb .gltf .pcf .stl .obj .ply .pcd .xyz");
   CLI::Option* job =
       app.add_option("--job", flags.job,
-                     "JOB.spooljob: works on its steps, every check into its journal "
+                     "JOB.spooljob: works on its steps, every check into its journal and evidence "
                      "(spoolsight-job makes one)")
           ->excludes(design);
-  app.add_option("--operator", flags.operator_name, "Who works, for the journal")->needs(job);
+  app.add_option("--operator", flags.operator_name,
+                 "Who works, for journal and evidence; else the screen asks at the first check")
+      ->needs(job);
   CLI::Option_group* what = app.add_option_group("what is built");
   what->add_options(design, job);
   what->require_option(1);

@@ -31,6 +31,7 @@ struct Window::Impl {
   GLFWwindow* window = nullptr;
   std::unique_ptr<XinputTouch> touch;
   std::vector<ui::TouchEvent> events;
+  std::vector<ui::KeyPress> keys;
 
   ~Impl() {
     touch.reset();
@@ -74,6 +75,17 @@ struct Window::Impl {
       self.add(ui::kLeftButton, ui::TouchPhase::kHover);
     }
   }
+  static void on_letter(GLFWwindow* window, unsigned int letter) {
+    of(window).keys.push_back({ui::KeyPress::Kind::kLetter, static_cast<char32_t>(letter)});
+  }
+  static void on_key(GLFWwindow* window, int key, int /*code*/, int action, int /*modifiers*/) {
+    if (action == GLFW_RELEASE) return;
+    using Kind = ui::KeyPress::Kind;
+    if (key == GLFW_KEY_BACKSPACE) of(window).keys.push_back({Kind::kBackspace, 0});
+    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
+      of(window).keys.push_back({Kind::kEnter, 0});
+    if (key == GLFW_KEY_ESCAPE) of(window).keys.push_back({Kind::kEscape, 0});
+  }
   static void on_scroll(GLFWwindow* window, double /*x*/, double y) {
     of(window).add(ui::kLeftButton, ui::TouchPhase::kWheel, y);
   }
@@ -109,6 +121,8 @@ Result<Window> Window::open(const std::string& title, int width, int height) {
   glfwSetMouseButtonCallback(impl->window, Impl::on_button);
   glfwSetCursorPosCallback(impl->window, Impl::on_cursor);
   glfwSetScrollCallback(impl->window, Impl::on_scroll);
+  glfwSetCharCallback(impl->window, Impl::on_letter);
+  glfwSetKeyCallback(impl->window, Impl::on_key);
   impl->touch = XinputTouch::listen(glfwGetX11Window(impl->window));
   return Window(std::move(impl));
 }
@@ -151,6 +165,8 @@ std::vector<ui::TouchEvent> Window::events(double timeout_s) {
   }
   return std::exchange(impl_->events, {});
 }
+
+std::vector<ui::KeyPress> Window::keys() { return std::exchange(impl_->keys, {}); }
 
 void Window::swap() { glfwSwapBuffers(impl_->window); }
 

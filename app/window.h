@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/key_press.h"
 #include "app/ui/touch_event.h"
 #include "vision/core/result.h"
 
@@ -29,6 +30,8 @@ class Window {
   [[nodiscard]] bool should_close() const;
   // Fingers and mouse since the last call, in px; waits up to `timeout_s` for something to happen.
   [[nodiscard]] std::vector<ui::TouchEvent> events(double timeout_s);
+  // Keys of a real keyboard that were pressed, or held, until the last call of events().
+  [[nodiscard]] std::vector<ui::KeyPress> keys();
   void swap();  // shows what was drawn
 
  private:

@@ -42,6 +42,7 @@ Application::~Application() {
   jobs_.wait();
   saving_.wait();
   feed_.reset();
+  desk_.picture = {};
   picture_.reset();
 }
 
@@ -155,7 +156,8 @@ void Application::route(const std::vector<ui::TouchEvent>& events) {
   for (const ui::Gesture& gesture : gestures_.feed(free)) handle(gesture);
 }
 
-Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& events) {
+Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& events,
+                          const std::vector<ui::KeyPress>& keys) {
   now_s_ = now_s;
   if (in_.wait_for_jobs) {
     jobs_.wait();
@@ -164,7 +166,9 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   take_distances();
   take_checks();
   watch_results();
-  take_job_checks();
+  take_captures();
+  take_accepted();
+  take_desk();
   take_saved();
   take_find();
   while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);
@@ -172,6 +176,9 @@ Status Application::frame(double now_s, const std::vector<ui::TouchEvent>& event
   const std::vector<ui::TouchEvent> batch = input_.take_frame();
   ui::follow(pointer_, batch);
   route(batch);
+
+  for (const ui::KeyPress& key : keys)
+    if (screen_ == ui::Screen::kTyping) end_typing(desk_.typing.press(key));
 
   ImGui::SetCurrentContext(imgui_.get());
   ImGuiIO& io = ImGui::GetIO();
@@ -246,6 +253,9 @@ std::vector<ScenePicture> Application::scenes() {
     return std::pair(static_cast<int>(rect.width), static_cast<int>(rect.height));
   };
   std::vector<ScenePicture> out;
+  if (screen_ == ui::Screen::kEvidence || screen_ == ui::Screen::kNcr ||
+      screen_ == ui::Screen::kTyping)
+    return out;  // words on a bare ground
   if (screen_ == ui::Screen::kAlign) {
     Eigen::AlignedBox3d bounds = in_.design->model.bounds();
     const Eigen::Vector3d margin =
@@ -317,7 +327,8 @@ std::vector<ScenePicture> Application::scenes() {
 
 bool Application::is_idle() const {
   return input_.empty() && checks_open_ == 0 && saves_open_ == 0 && !pending_screen_ &&
-         !awaiting_alignment_ && !find_.is_running();
+         !awaiting_alignment_ && !find_.is_running() && captures_open_ == 0 && accepts_open_ == 0 &&
+         desk_open_ == 0;
 }
 
 void Application::give_up_picks() {

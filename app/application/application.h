@@ -16,6 +16,8 @@
 
 #include "app/application/align_session.h"
 #include "app/application/box_session.h"
+#include "app/application/check_evidence.h"
+#include "app/application/evidence_desk.h"
 #include "app/application/find_session.h"
 #include "app/application/find_worker.h"
 #include "app/application/job_session.h"
@@ -31,6 +33,7 @@
 #include "app/runner/feed.h"
 #include "app/ui/gestures.h"
 #include "app/ui/input_queue.h"
+#include "app/ui/key_press.h"
 #include "app/ui/panels.h"
 #include "vision/core/distance_volume.h"
 #include "vision/core/result.h"
@@ -73,8 +76,10 @@ class Application {
   // Takes what sensor and vision have. The time that passed in a recording (s) when there is a new
   // frame.
   [[nodiscard]] std::optional<double> advance();
-  // One frame of the screen at `now_s`: input in, picture out into picture().target().
-  [[nodiscard]] Status frame(double now_s, const std::vector<ui::TouchEvent>& events);
+  // One frame of the screen at `now_s`: input in, picture out into picture().target(). `keys` are
+  // of a real keyboard; they count where a text is asked for.
+  [[nodiscard]] Status frame(double now_s, const std::vector<ui::TouchEvent>& events,
+                             const std::vector<ui::KeyPress>& keys = {});
   [[nodiscard]] Status resize(int width, int height);
 
   // Nothing is on its way: no input, no job, no answer awaited.
@@ -97,12 +102,18 @@ class Application {
   struct Checked {
     VisionStatePtr state;
     Result<Inspection> inspection;
+    Result<evidence::ScanSnapshot> scan;  // without its cloud
+    Pose T_design_scan = Pose::Identity();
+    AlignMethod posed_by = AlignMethod::kPose;
     bool final = false;
-    int step_part = -1;  // of the job, when it was asked for
+    int step_part = -1;       // of the job, when it was asked for
+    std::uint64_t asked = 0;  // of a job's checks: which
+    evidence::OneFrame frame = {};
   };
-  struct StepReport {
-    std::filesystem::path file;
-    int part = -1;
+  using CheckEvidencePtr = std::shared_ptr<const CheckEvidence>;
+  struct CaptureAnswer {
+    CheckEvidencePtr check;
+    Result<Captured> captured;
   };
 
   // Of one check, of one state.
@@ -191,9 +202,30 @@ class Application {
   // application_job.cpp
   void show_step();
   void leave_out_absent(std::vector<double>& likelihood) const;
-  void take_job_checks();
   void accept_step();
+  void take_accepted();
   void fill_job(ui::ScreenState& out) const;
+  // application_evidence.cpp
+  void ask_for_name();
+  void handle_evidence(const ui::Command& command);
+  void open_capture(std::int64_t number);
+  void leave_evidence();
+  void take_desk();
+  void capture(const CheckEvidencePtr& check);
+  void capture_again();
+  void take_captures();
+  [[nodiscard]] std::string uncaptured_in_words() const;
+  [[nodiscard]] std::string disk_in_words() const;
+  void fill_evidence(ui::ScreenState& out) const;
+  // application_ncr.cpp
+  void open_form();
+  void start_typing(std::optional<int> field);
+  void end_typing(TypingSession::End end);
+  void keep_draft();
+  void write_form();
+  void take_form(OpenedForm opened);
+  void take_written(const WrittenForm& written);
+  void fill_form(ui::ScreenState& out) const;
   // application_screen.cpp
   [[nodiscard]] ui::ScreenState screen_state() const;
   void fill_align(ui::ScreenState& out) const;
@@ -258,7 +290,19 @@ class Application {
   // The job's.
   std::vector<bool> on_table_;  // one a part: it stands, or is the present step's
   std::optional<render::Marker> ghost_marker_;
-  CommandQueue<StepReport> reports_;  // of checks, written
+  CommandQueue<Result<JournalView>> accepted_;  // what the journal holds after an acceptance
+  int accepts_open_ = 0;
+
+  // Captures: what is not on the disk yet stays here, whatever fails.
+  std::uint64_t checks_asked_ = 0;
+  std::vector<CheckEvidencePtr> uncaptured_;  // that could not be written, or whose checker nobody
+                                              // named yet
+  std::optional<Error> capture_error_;        // why, as last told; none: for want of a name
+  int captures_open_ = 0;
+  CommandQueue<CaptureAnswer> captured_;
+  EvidenceDesk desk_;
+  CommandQueue<DeskAnswer> desk_answers_;
+  int desk_open_ = 0;  // answers awaited
 
   // The last check's.
   std::optional<Results> results_;

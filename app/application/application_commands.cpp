@@ -36,6 +36,19 @@ void Application::handle(const ui::Command& command) {
     case ui::Action::kAcceptStep:
       accept_step();
       break;
+    case ui::Action::kCaptureAgain:
+    case ui::Action::kEvidence:
+    case ui::Action::kOpenCapture:
+    case ui::Action::kTurnPage:
+    case ui::Action::kNcr:
+    case ui::Action::kTypeField:
+    case ui::Action::kChooseField:
+    case ui::Action::kWriteNcr:
+    case ui::Action::kLeave:
+    case ui::Action::kKey:
+    case ui::Action::kKeyRole:
+      handle_evidence(command);
+      break;
     case ui::Action::kFinish:
       finish_align();
       break;
@@ -117,6 +130,9 @@ void Application::handle(const ui::Command& command) {
 }
 
 void Application::handle(const ui::Gesture& gesture) {
+  if (screen_ == ui::Screen::kEvidence || screen_ == ui::Screen::kNcr ||
+      screen_ == ui::Screen::kTyping)
+    return;  // there is no picture of the steel
   if (gesture.kind == ui::Gesture::Kind::kTap) {
     tap(gesture);
     return;
@@ -262,7 +278,8 @@ void Application::ask_for_alignment(VisionStatePtr on, const Pose& T_design_came
 // The pose was believed: on with the work.
 void Application::leave_align() {
   aligned_by_ = asked_by_;
-  screen_ = ui::Screen::kWork;
+  // Nobody is taken away from what they are writing: a spool that was moved is aligned by itself.
+  if (screen_ == ui::Screen::kAlign || screen_ == ui::Screen::kChoose) screen_ = ui::Screen::kWork;
   menu_open_ = false;
   box_.clear();  // from now on the region of interest follows the design
   picks_.clear();
@@ -331,6 +348,16 @@ Status Application::finish() {
   jobs_.wait();   // the inspection
   take_checks();  // draws its pictures
   jobs_.wait();   // writes them
+  take_captures();
+  take_accepted();
+  capture_again();  // what could not be, once more: after this nobody has it any more
+  jobs_.wait();
+  take_captures();
+  if (!uncaptured_.empty() && !first_write_error_)
+    first_write_error_ = capture_error_.value_or(
+        Error{ErrorCode::kUsage,
+              "A check was not captured: nobody said who checked; start with "
+              "--operator NAME, or say it on the screen."});
   saving_.wait();
   take_saved();
   while (const std::optional<Error> error = write_errors_.try_pop()) fail(*error);

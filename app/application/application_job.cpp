@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/application/application.h"
+#include "app/application/status_mark.h"
 
 namespace spool {
 
@@ -24,13 +25,6 @@ TriangleMesh part_at(const DesignModel& design, int index, const Pose& T_design_
     mesh.triangles.push_back(triangle);
   }
   return mesh;
-}
-
-ui::StatusMark mark_of(const std::string& status) {
-  return status == "ok"           ? ui::StatusMark::kOk
-         : status == "suspicious" ? ui::StatusMark::kSuspicious
-         : status == "not_ok"     ? ui::StatusMark::kNotOk
-                                  : ui::StatusMark::kNotMeasured;
 }
 
 }  // namespace
@@ -69,33 +63,35 @@ void Application::leave_out_absent(std::vector<double>& likelihood) const {
   }
 }
 
-void Application::take_job_checks() {
-  while (const std::optional<StepReport> report = reports_.try_pop()) {
-    if (const Status taken = in_.job->take_check(report->file, report->part); !taken) {
-      fail(taken.error());
-      continue;
-    }
-    const job::CheckRecord* checked = in_.job->checked();
-    if (checked == nullptr) continue;
-    const std::string why = in_.job->why_not_accept();
-    notice(fmt::format("{}: {}. {}", checked->part, ui::word(mark_of(checked->status)),
-                       why.empty() ? "In the journal; accept it, or bump it and check again."
-                                   : "In the journal; bump it or look again, then check."));
-  }
-}
-
 void Application::accept_step() {
   if (!in_.job) return;
-  const std::string part = in_.job->checked() != nullptr ? in_.job->checked()->part : "";
-  if (const Status done = in_.job->accept(); !done) {
-    fail(done.error());
+  const int step = in_.job->step();
+  Result<job::CheckRecord> check = in_.job->give_accepted();
+  if (!check) {
+    fail(check.error());
     return;
   }
-  show_step();
   picture_changed_ = true;  // what was checked is no longer what is to be decided
-  const std::string next = in_.job->part_words();
-  notice(next.empty() ? part + " accepted: all steps are."
-                      : fmt::format("{} accepted. Next: {}.", part, next));
+  ++accepts_open_;
+  jobs_.run([this, step, check = std::move(*check)] {
+    static_cast<void>(accepted_.push(in_.job->journal().accept(step, check)));
+  });
+}
+
+void Application::take_accepted() {
+  while (std::optional<Result<JournalView>> answer = accepted_.try_pop()) {
+    --accepts_open_;
+    if (!*answer) {
+      fail(answer->error());
+      continue;
+    }
+    const std::string part = (*answer)->records.back().part;
+    in_.job->take(std::move(**answer));
+    show_step();
+    const std::string next = in_.job->part_words();
+    notice(next.empty() ? part + " accepted: all steps are."
+                        : fmt::format("{} accepted. Next: {}.", part, next));
+  }
 }
 
 void Application::fill_job(ui::ScreenState& out) const {
@@ -104,7 +100,7 @@ void Application::fill_job(ui::ScreenState& out) const {
   out.step_part = in_.job->part_words();
   const job::CheckRecord* checked = in_.job->checked();
   out.can_accept = checked != nullptr && in_.job->why_not_accept().empty();
-  if (checked != nullptr) out.accept_word = ui::word(mark_of(checked->status));
+  if (checked != nullptr) out.accept_word = ui::word(mark_of_status(checked->status));
 }
 
 }  // namespace spool

@@ -51,6 +51,26 @@ const char* word(sensor::SensorTrouble trouble) {
   return "";
 }
 
+const char* name(ui::Screen screen) {
+  switch (screen) {
+    case ui::Screen::kAlign:
+      return "align";
+    case ui::Screen::kChoose:
+      return "choose";
+    case ui::Screen::kResults:
+      return "results";
+    case ui::Screen::kEvidence:
+      return "evidence";
+    case ui::Screen::kNcr:
+      return "ncr";
+    case ui::Screen::kTyping:
+      return "typing";
+    case ui::Screen::kWork:
+      break;
+  }
+  return "work";
+}
+
 nlohmann::json to_json(const ui::Rect& rect) { return {rect.x, rect.y, rect.width, rect.height}; }
 
 nlohmann::json to_json(const render::View& view) {
@@ -159,7 +179,12 @@ ui::ScreenState Application::screen_state() const {
     case ui::Screen::kResults:
       fill_results(out);
       break;
+    case ui::Screen::kEvidence:
+    case ui::Screen::kNcr:
+    case ui::Screen::kTyping:
+      break;  // fill_evidence()
   }
+  fill_evidence(out);
   // What is wrong with the sensor comes before everything else.
   if (failure_) {
     out.hint = failure_->message;
@@ -314,10 +339,7 @@ void Application::fill_work(ui::ScreenState& out) const {
 
 std::string Application::changed_targets() {
   nlohmann::json json;
-  json["screen"] = screen_ == ui::Screen::kAlign     ? "align"
-                   : screen_ == ui::Screen::kChoose  ? "choose"
-                   : screen_ == ui::Screen::kResults ? "results"
-                                                     : "work";
+  json["screen"] = name(screen_);
   json["width"] = in_.width;
   json["height"] = in_.height;
   json["tracking"] = !state_          ? "none"

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "app/job/job_progress.h"
-#include "app/job/report_check.h"
 #include "vision/guide/ghost_pose.h"
 
 namespace spool {
@@ -42,16 +41,13 @@ const char* weld_word(JointType type) {
 
 Result<JobSession> JobSession::open(const std::filesystem::path& folder,
                                     std::string operator_name) {
-  Result<job::Job> job = job::Job::open(folder, job::JobUse::kWork);
-  if (!job) return job.error();
-  if (!job->damage().empty())
-    return Error{ErrorCode::kBadInput, folder.string() + ": its journal is damaged (" +
-                                           job->damage() +
-                                           "); salvage it with spoolsight-job salvage"};
-  return JobSession(std::move(*job), std::move(operator_name));
+  JournalView view;
+  Result<std::unique_ptr<JobJournal>> journal = JobJournal::open(folder, view);
+  if (!journal) return journal.error();
+  return JobSession(std::move(*journal), std::move(view), std::move(operator_name));
 }
 
-int JobSession::part() const { return step() < steps() ? job_.steps()[at(step())].part : -1; }
+int JobSession::part() const { return step() < steps() ? job().steps()[at(step())].part : -1; }
 
 std::string JobSession::step_words() const {
   return step() < steps() ? fmt::format("step {} of {}", step() + 1, steps())
@@ -60,8 +56,8 @@ std::string JobSession::step_words() const {
 
 std::string JobSession::part_words() const {
   if (part() < 0) return {};
-  const guide::AssemblyStep& step = job_.steps()[at(this->step())];
-  const std::vector<Part>& parts = job_.design().parts;
+  const guide::AssemblyStep& step = job().steps()[at(this->step())];
+  const std::vector<Part>& parts = job().design().parts;
   std::string words = parts[at(step.part)].name;
   if (step.joints.empty()) words += ": the base";
   for (std::size_t j = 0; j < step.joints.size(); ++j) {
@@ -75,19 +71,19 @@ std::string JobSession::part_words() const {
 
 std::vector<bool> JobSession::stands() const {
   std::vector<bool> stands;
-  for (const Part& part : job_.design().parts)
-    stands.push_back(job::accepted_record(part.name, job_.records()) != nullptr);
+  for (const Part& part : job().design().parts)
+    stands.push_back(job::accepted_record(part.name, view_.records) != nullptr);
   return stands;
 }
 
 std::optional<StepGhost> JobSession::ghost() const {
   if (part() < 0) return std::nullopt;
-  const guide::AssemblyStep& step = job_.steps()[at(this->step())];
+  const guide::AssemblyStep& step = job().steps()[at(this->step())];
   if (step.joints.empty()) return std::nullopt;
   std::vector<guide::BuiltPose> built;
-  const std::vector<Part>& parts = job_.design().parts;
+  const std::vector<Part>& parts = job().design().parts;
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    const job::CheckRecord* record = job::accepted_record(parts[p].name, job_.records());
+    const job::CheckRecord* record = job::accepted_record(parts[p].name, view_.records);
     if (record == nullptr || !record->T_design_part || !record->covariance) continue;
     guide::BuiltPose pose{.part = static_cast<int>(p),
                           .T_design_part = pose_of(*record->T_design_part)};
@@ -96,7 +92,7 @@ std::optional<StepGhost> JobSession::ghost() const {
     built.push_back(pose);
   }
   StepGhost ghost{.part = step.part, .T_design_part = parts[at(step.part)].T_design_part};
-  const auto placed = guide::ghost_pose(job_.design(), step, built);
+  const auto placed = guide::ghost_pose(job().design(), step, built);
   if (!placed) return ghost;
   ghost.T_design_part = placed->T_design_part;
   ghost.is_as_built = true;
@@ -105,21 +101,11 @@ std::optional<StepGhost> JobSession::ghost() const {
   return ghost;
 }
 
-Status JobSession::take_check(const std::filesystem::path& report, int part) {
-  if (part < 0) return {};  // what is checked when all stands belongs to no step
-  const auto of = std::ranges::find(job_.steps(), part, &guide::AssemblyStep::part);
-  const auto step = static_cast<int>(of - job_.steps().begin());
-  Result<job::CheckRecord> record =
-      job::check_from_report(report, job_.design().parts[at(part)], job_.file().design_sha256);
-  if (!record) return record.error();
-  record->outcome = job::Outcome::kRedo;
-  record->operator_name = operator_name_;
-  record->at = job::now();
-  const Result<std::int64_t> id = job_.add(step, *record);
-  if (!id) return id.error();
+void JobSession::take_check(Captured captured) {
+  view_ = std::move(captured.journal);
   // One that was on its way when its step was accepted says nothing of the next.
-  if (part == this->part()) checked_ = std::move(*record);
-  return {};
+  if (part() >= 0 && captured.check.part == job().design().parts[at(part())].name)
+    checked_ = std::move(captured.check);
 }
 
 std::string JobSession::why_not_accept() const {
@@ -129,15 +115,12 @@ std::string JobSession::why_not_accept() const {
   return checked_->status == "not_ok" ? "it is out of tolerance" : "it was not measured";
 }
 
-Status JobSession::accept() {
+Result<job::CheckRecord> JobSession::give_accepted() {
   if (const std::string why = why_not_accept(); !why.empty())
     return Error{ErrorCode::kUsage, "The step cannot be accepted: " + why + "."};
-  job::CheckRecord record = *checked_;
-  record.outcome = job::Outcome::kAccept;
-  record.at = job::now();
-  if (const Result<std::int64_t> id = job_.add(step(), std::move(record)); !id) return id.error();
+  job::CheckRecord record = std::move(*checked_);
   checked_.reset();
-  return {};
+  return record;
 }
 
 }  // namespace spool

@@ -5,10 +5,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "app/application/job_journal.h"
 #include "app/job/job.h"
 #include "vision/core/pose.h"
 #include "vision/core/result.h"
@@ -24,18 +27,26 @@ struct StepGhost {
   bool differs = false;
 };
 
-// One thread. The job is held alone while it lives.
+// For the thread of the screen; what writes the journal is journal(), which has a thread of its own
+// once an application has the job.
 class JobSession {
  public:
-  // As job::Job::open() to work. `operator_name` may be empty: the journal then says nothing of
-  // who.
+  // As job::Job::open() to work. `operator_name` may be empty: who checks has to say it then.
   [[nodiscard]] static Result<JobSession> open(const std::filesystem::path& folder,
                                                std::string operator_name);
 
-  [[nodiscard]] const job::Job& job() const { return job_; }
-  [[nodiscard]] int steps() const { return static_cast<int>(job_.steps().size()); }
-  [[nodiscard]] int step() const { return job_.current_step(); }  // from 0; steps(): all accepted
-  [[nodiscard]] int part() const;                                 // of the design; -1: all accepted
+  // What never changes: file, design, steps, folder.
+  [[nodiscard]] const job::Job& job() const { return journal_->job(); }
+  [[nodiscard]] JobJournal& journal() const { return *journal_; }
+  // What the journal held when it was last heard of.
+  [[nodiscard]] const JournalView& view() const { return view_; }
+  void take(JournalView view) { view_ = std::move(view); }
+  [[nodiscard]] const std::string& operator_name() const { return operator_name_; }
+  void set_operator_name(std::string name) { operator_name_ = std::move(name); }
+
+  [[nodiscard]] int steps() const { return static_cast<int>(job().steps().size()); }
+  [[nodiscard]] int step() const { return view_.step; }  // from 0; steps(): all accepted
+  [[nodiscard]] int part() const;                        // of the design; -1: all accepted
   // "step 4 of 11", "elbow_2 onto pipe_3 · W4, fab weld · cut 260.0 mm"
   [[nodiscard]] std::string step_words() const;
   [[nodiscard]] std::string part_words() const;
@@ -45,22 +56,24 @@ class JobSession {
 
   // Another look was asked for: what the last check said decides nothing any more.
   void begin_check() { checked_.reset(); }
-  // The numbers of the step of `part`, which the look was asked for, out of the report written of
-  // it: a check that decides nothing yet. -1: belongs to no step. kBadInput: no report of this
-  // design. kIo: the disk; nothing was taken then.
-  [[nodiscard]] Status take_check(const std::filesystem::path& report, int part);
+  // A capture of the step of `part` is in the journal.
+  void take_check(Captured captured);
   // What was measured of the present step by the last check; null: it was not checked.
   [[nodiscard]] const job::CheckRecord* checked() const { return checked_ ? &*checked_ : nullptr; }
   // Why the step cannot be accepted at a touch; empty: it can.
   [[nodiscard]] std::string why_not_accept() const;
-  // Accepts the step on its last check. kUsage: why_not_accept().
-  [[nodiscard]] Status accept();
+  // The check that the step is accepted on, which decides nothing any more here: for
+  // journal().accept(). kUsage: why_not_accept().
+  [[nodiscard]] Result<job::CheckRecord> give_accepted();
 
  private:
-  JobSession(job::Job job, std::string operator_name)
-      : job_(std::move(job)), operator_name_(std::move(operator_name)) {}
+  JobSession(std::unique_ptr<JobJournal> journal, JournalView view, std::string operator_name)
+      : journal_(std::move(journal)),
+        view_(std::move(view)),
+        operator_name_(std::move(operator_name)) {}
 
-  job::Job job_;
+  std::unique_ptr<JobJournal> journal_;
+  JournalView view_;
   std::string operator_name_;
   std::optional<job::CheckRecord> checked_;
 };

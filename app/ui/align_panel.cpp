@@ -130,6 +130,9 @@ void draw_align(const ScreenState& state, const Painter& painter, std::vector<Co
     commands.push_back({Action::kMenu});
   if (state.menu_open && big_button(painter, "Save", layout.extras[0], "last 10 s"))
     commands.push_back({Action::kSaveLast});
+  if (state.menu_open && state.has_evidence &&
+      big_button(painter, "Evidence", layout.extras[3], "captures"))
+    commands.push_back({Action::kEvidence});
   if (state.menu_open && state.can_go_back &&
       big_button(painter, "Box", layout.extras[1], state.box_word))
     commands.push_back({Action::kBox});

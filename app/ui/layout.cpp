@@ -20,6 +20,7 @@ constexpr double kLegendHeightDp = 330;  // it can be drawn lower but not read w
 constexpr double kStillDp = 180;         // height of the last good view
 constexpr double kStillShare = 0.3;      // or of the screen's, where that is less
 constexpr double kStillWordsDp = 32;
+constexpr double kSheetFootDp = 28;  // what is said under the rows
 
 // Beside the last actions in landscape, above them in portrait; over the card, which stays free.
 // The list of parts has what is left.
@@ -87,6 +88,7 @@ Layout lay_out(double width_px, double height_px, double dp) {
     }
     out.card = {margin, y - margin - kCardDp * dp, width_px - 2 * margin, kCardDp * dp};
     out.align_card = out.card;
+    out.sheet = {margin, top + margin, width_px - 2 * margin, y - top - 2 * margin};
     place_extras(out, dp);
     place_still(out, height_px, dp);
     place_results(out, width_px, dp);
@@ -118,12 +120,18 @@ Layout lay_out(double width_px, double height_px, double dp) {
   place_still(out, height_px, dp);
   place_results(out, width_px, dp);
   out.legend_bottom = beside ? height_px : card_y;
+  out.sheet = {margin, top + margin, x - 2 * margin, height_px - top - 2 * margin};
   out.align_card = {margin, out.card.y, x - 2 * margin, out.card.height};
   const double half = std::floor(0.5 * (x - margin));
   const double view_height = std::floor(out.card.y - margin - top);
   out.design_view = {0, top, half, view_height};
   out.scan_view = {half, top, half, view_height};
   return out;
+}
+
+int sheet_rows(const Layout& layout, double dp, double row_dp) {
+  const double room = layout.sheet.height - (kSheetTitleDp + kSheetFootDp) * dp;
+  return std::max(1, static_cast<int>(room / (row_dp * dp)));
 }
 
 }  // namespace spool::ui

@@ -20,7 +20,10 @@ inline constexpr double kBodySp = 16;
 inline constexpr double kSmallSp = 14;
 inline constexpr double kNumberSp = 30;
 inline constexpr int kActions = 5;
-inline constexpr int kExtras = 4;
+inline constexpr int kExtras = 5;
+inline constexpr double kSheetTitleDp = 30;
+inline constexpr double kRowDp = 80;       // of a list of things to tap, with the gap after it
+inline constexpr double kFormRowDp = 100;  // of a form: with its label above
 
 // Pixels of one density-independent unit (1/160 inch). Under 160 dots an inch text would get too
 // few pixels to be read, so a unit is never less than one pixel.
@@ -38,6 +41,7 @@ struct Layout {
   Rect still_words;          // under it
   double legend_bottom = 0;  // the legend at the left edge ends above this
   Rect align_card;           // Align: the chips and the hint, under the two pictures
+  Rect sheet;                // Evidence and its form: all between strip and actions
   Rect work_view;            // the steel: everything
   Rect design_view;          // Align: side by side, above each other in portrait
   Rect scan_view;
@@ -46,5 +50,8 @@ struct Layout {
 };
 
 [[nodiscard]] Layout lay_out(double width_px, double height_px, double dp);
+
+// Whole rows of `row_dp` that the sheet has under a title line; 1 at least.
+[[nodiscard]] int sheet_rows(const Layout& layout, double dp, double row_dp);
 
 }  // namespace spool::ui

@@ -69,7 +69,7 @@ std::vector<Command> draw_screen(const ScreenState& state, const Theme& theme, c
   std::vector<Command> commands;
   targets = {};
   const Painter painter{theme, layout, targets};
-  draw_strip(state, painter);
+  if (state.screen != Screen::kTyping) draw_strip(state, painter);
   switch (state.screen) {
     case Screen::kAlign:
       draw_align(state, painter, commands);
@@ -82,6 +82,15 @@ std::vector<Command> draw_screen(const ScreenState& state, const Theme& theme, c
       break;
     case Screen::kResults:
       draw_results(state, painter, commands);
+      break;
+    case Screen::kEvidence:
+      draw_evidence(state, painter, commands);
+      break;
+    case Screen::kNcr:
+      draw_ncr(state, painter, commands);
+      break;
+    case Screen::kTyping:
+      draw_typing(state, painter, commands);
       break;
   }
   return commands;

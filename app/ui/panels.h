@@ -23,5 +23,9 @@ void draw_choose(const ScreenState& state, const Painter& painter, std::vector<C
 void draw_results(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
 void draw_readout(const ScreenState& state, const Painter& painter);  // within the open panel
 void draw_work(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
+void draw_evidence(const ScreenState& state, const Painter& painter,
+                   std::vector<Command>& commands);
+void draw_ncr(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
+void draw_typing(const ScreenState& state, const Painter& painter, std::vector<Command>& commands);
 
 }  // namespace spool::ui

@@ -7,10 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace spool::ui {
+#include "app/ui/status_mark.h"
 
-// A status has its own outline and word; colour comes third.
-enum class StatusMark { kOk, kSuspicious, kNotOk, kNotMeasured };
+namespace spool::ui {
 
 // One row of the list.
 struct ResultLine {

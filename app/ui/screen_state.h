@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/evidence_state.h"
 #include "app/ui/results_state.h"
+#include "app/ui/status_mark.h"
 
 namespace spool::ui {
 
-enum class Screen { kAlign, kChoose, kWork, kResults };
+enum class Screen { kAlign, kChoose, kWork, kResults, kEvidence, kNcr, kTyping };
 
 // How well the camera's place is known.
 enum class TrackingMark { kNone, kGood, kPoor, kPaused, kFrozen, kLost };
@@ -82,9 +84,11 @@ struct ScreenState {
   std::string view_word;     // what View shows now: "both", "scan", "drawing", "seen"
   bool sight_shown = false;  // the drawing carries marks of how well it is known
   bool list_open = false;
-  std::string step_part;    // of a job: what the step is of
-  bool can_accept = false;  // the step, on the check just made
-  std::string accept_word;  // under Accept: what the check said, or what is missing
+  std::string step_part;           // of a job: what the step is of
+  bool can_accept = false;         // the step, on the check just made
+  std::string accept_word;         // under Accept: what the check said, or what is missing
+  bool has_evidence = false;       // there is a job, whose captures can be looked at
+  bool can_capture_again = false;  // a check could not be written; the hint says why
 
   // Of the last check
   bool has_results = false;
@@ -92,6 +96,10 @@ struct ScreenState {
   ResultDetail readout;        // the number that decides
   std::string readout_of;      // "Checked 12 s ago", and the worst of all
   ResultsState results;        // Results
+
+  EvidenceState evidence;
+  FormState form;
+  TypingState typing;
 };
 
 enum class Action {
@@ -101,6 +109,17 @@ enum class Action {
   kNext,    // of the poses to choose from
   kAccept,  // the pose shown
   kAcceptStep,
+  kCaptureAgain,  // what could not be written
+  kEvidence,      // the captures of the job
+  kOpenCapture,   // of the number `value`
+  kTurnPage,      // of captures or of the form, by `value`
+  kNcr,           // the form on the capture that is open
+  kTypeField,     // of the form: `value`
+  kChooseField,   // the same, choice `part`
+  kWriteNcr,
+  kLeave,    // Evidence and what is in it: one back
+  kKey,      // of the keyboard: letter `value`
+  kKeyRole,  // the same: KeyRole `value`
   kCheck,
   kShot,
   kView,
@@ -124,6 +143,7 @@ struct Command {
   Action action = Action::kShot;
   int part = -1;  // of kLightPart
   int row = -1;   // of kOpenResult
+  int value = 0;  // see the action
 };
 
 }  // namespace spool::ui

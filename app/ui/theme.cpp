@@ -27,8 +27,9 @@ Result<Theme> load_theme(std::string_view font_file, double dp) {
   style.Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(kPanelColour);
   style.Colors[ImGuiCol_Text] = ImGui::ColorConvertU32ToFloat4(kTextColour);
 
-  // Latin, and the marks that numbers and directions need.
-  static const ImWchar ranges[] = {0x0020, 0x00FF, 0x2010, 0x2026, 0x2044, 0x2044,
+  // Latin with the letters of names in all of Europe, and the marks that numbers and directions
+  // need.
+  static const ImWchar ranges[] = {0x0020, 0x017F, 0x2010, 0x2026, 0x2044, 0x2044,
                                    0x2190, 0x2193, 0x2212, 0x2212, 0};
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;

@@ -218,6 +218,8 @@ void draw_extras(const ScreenState& state, const Painter& painter, std::vector<C
   if (state.has_results && !state.readout_shown &&
       big_button(painter, "Results", layout.extras[3], "of the check"))
     commands.push_back({Action::kResults});
+  if (state.has_evidence && big_button(painter, "Evidence", layout.extras[4], "captures"))
+    commands.push_back({Action::kEvidence});
 }
 
 }  // namespace
@@ -239,7 +241,10 @@ void draw_work(const ScreenState& state, const Painter& painter, std::vector<Com
              big_button(painter, "Find", layout.actions[1], "the spool", ButtonLook::kPrimary)) {
     commands.push_back({Action::kFind});
   }
-  if (state.can_accept) {
+  if (state.can_capture_again) {
+    if (big_button(painter, "Capture", layout.actions[2], "again", ButtonLook::kPrimary))
+      commands.push_back({Action::kCaptureAgain});
+  } else if (state.can_accept) {
     if (big_button(painter, "Accept", layout.actions[2], state.accept_word, ButtonLook::kPrimary))
       commands.push_back({Action::kAcceptStep});
   } else if (big_button(painter, "Shot", layout.actions[2])) {

@@ -66,7 +66,7 @@ class Bench : public testing::Test {
     ApplicationInputs in;
     in.design = design_;
     in.camera = small_camera();
-    in.noise.constant_m = 0.0008;
+    in.noise = noise_;
     in.source_text = in.source_description = "scripted";
     in.is_recording = true;
     in.out = folder_.path() / "out";
@@ -90,9 +90,10 @@ class Bench : public testing::Test {
   }
 
   // One frame of sensor and screen.
-  void step(const std::vector<ui::TouchEvent>& events = {}) {
+  void step(const std::vector<ui::TouchEvent>& events = {},
+            const std::vector<ui::KeyPress>& keys = {}) {
     now_ += app_->advance().value_or(1.0 / 30);
-    const Status drawn = app_->frame(now_, events);
+    const Status drawn = app_->frame(now_, events, keys);
     ASSERT_TRUE(drawn.has_value()) << drawn.error().message;
     if (const std::string line = app_->changed_targets(); !line.empty()) {
       screen_ = nlohmann::json::parse(line);
@@ -134,6 +135,7 @@ class Bench : public testing::Test {
   std::shared_ptr<const PreparedDesign> design_ = prepared_bracket();
   bool wait_for_jobs_ = true;
   bool has_graphics_card_ = false;
+  NoiseModel noise_{.constant_m = 0.0008};
   std::unique_ptr<JobSession> job_;  // of design_; start() takes it
   std::shared_ptr<std::deque<SensorNote>> notes_ = std::make_shared<std::deque<SensorNote>>();
   std::unique_ptr<render::EglContext> context_;

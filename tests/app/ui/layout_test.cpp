@@ -79,6 +79,23 @@ TEST(Layout, NothingOverlapsAndNothingLeavesTheScreen) {
   }
 }
 
+TEST(Layout, TheSheetFillsWhatStripAndActionsLeave) {
+  for (const ScreenSize& size : sizes()) {
+    SCOPED_TRACE(size.name);
+    const double dp = pixels_per_dp(size.dots_per_inch);
+    const Layout layout = lay_out(size.width, size.height, dp);
+    EXPECT_FALSE(overlap(layout.sheet, layout.strip));
+    for (const Rect& action : layout.actions) EXPECT_FALSE(overlap(layout.sheet, action));
+    EXPECT_LE(layout.sheet.x + layout.sheet.width, size.width);
+    EXPECT_LE(layout.sheet.y + layout.sheet.height, size.height);
+    for (const double row : {kRowDp, kFormRowDp}) {
+      const int rows = sheet_rows(layout, dp, row);
+      EXPECT_GE(rows, 3);
+      EXPECT_LE(kSheetTitleDp * dp + rows * row * dp, layout.sheet.height);
+    }
+  }
+}
+
 TEST(Layout, TheLastGoodViewCoversNothingAndIsLargeEnoughToBeKnown) {
   for (const ScreenSize& size : sizes()) {
     SCOPED_TRACE(size.name);
