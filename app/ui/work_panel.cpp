@@ -12,7 +12,12 @@ namespace {
 
 std::string numbers_of(const PartLine& line) {
   if (line.status == StatusMark::kNotMeasured) return line.seen + " seen";
-  return line.number + " " + line.doubt + "   " + line.seen + " seen";
+  // In a row the unit is said once: "+1.2 ± 0.4 mm". Feet and inches have it in each number.
+  const std::string unit = " mm";
+  const bool is_twice = line.number.ends_with(unit) && line.doubt.ends_with(unit);
+  const std::string number =
+      is_twice ? line.number.substr(0, line.number.size() - unit.size()) : line.number;
+  return number + " " + line.doubt + "   " + line.seen + " seen";
 }
 
 void draw_deciding(const ScreenState& state, const Painter& painter, float width) {
