@@ -71,7 +71,6 @@ void Application::accept_step() {
     fail(check.error());
     return;
   }
-  picture_changed_ = true;  // what was checked is no longer what is to be decided
   ++accepts_open_;
   jobs_.run([this, step, check = std::move(*check)] {
     static_cast<void>(accepted_.push(in_.job->journal().accept(step, check)));
@@ -88,6 +87,7 @@ void Application::take_accepted() {
     const std::string part = (*answer)->records.back().part;
     in_.job->take(std::move(**answer));
     show_step();
+    picture_changed_ = true;  // what was checked is no longer what is to be decided
     const std::string next = in_.job->part_words();
     notice(next.empty() ? part + " accepted: all steps are."
                         : fmt::format("{} accepted. Next: {}.", part, next));

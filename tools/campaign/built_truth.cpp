@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/campaign/standard_sizes.h"
+
 namespace spool::campaign {
 namespace {
 
@@ -134,6 +136,47 @@ std::optional<double> BuiltTruth::lean(const std::string& pipe, const std::strin
   if (spec.kind != PartKind::kFlange) return std::nullopt;
   const Pose T = poses_[static_cast<std::size_t>(b)] * ports_of(spec)[0].T_part_port;
   return std::asin(std::min(1.0, T.linear().col(2).cross(line(a).along).norm()));
+}
+
+std::optional<Pose> BuiltTruth::frame(int datum, const std::string& from) const {
+  const std::vector<int> pipes = pipes_at(datum);
+  if (pipes.empty()) return std::nullopt;
+  const auto place = node(datum, pipes.front());
+  if (!place) return std::nullopt;
+  const auto [point, along, middle] = line(pipes.front());
+  const Vector3d z = along.dot(middle - *place) < 0 ? Vector3d(-along) : along;
+  Vector3d aside;
+  if (from.ends_with("/holes")) {
+    aside = poses_[static_cast<std::size_t>(datum)].linear().col(0);
+  } else {
+    const int part = member(from);
+    if (part < 0 || pipes_at(part).empty()) return std::nullopt;
+    const auto there = node(part, pipes_at(part).front());
+    if (!there) return std::nullopt;
+    aside = *there - *place;
+  }
+  Pose frame = Pose::Identity();
+  frame.translation() = *place;
+  frame.linear().col(0) = (aside - aside.dot(z) * z).normalized();
+  frame.linear().col(1) = z.cross(frame.linear().col(0));
+  frame.linear().col(2) = z;
+  return frame;
+}
+
+std::optional<double> BuiltTruth::turn(const BuiltTruth& drawn, const std::string& datum,
+                                       const std::string& from, const std::string& flange) const {
+  const int part = member(flange), root = member(datum);
+  if (part < 0 || root < 0) return std::nullopt;
+  const PartSpec& spec = assembly_.members[static_cast<std::size_t>(part)].spec;
+  if (spec.kind != PartKind::kFlange) return std::nullopt;
+  const auto here = frame(root, from), there = drawn.frame(root, from);
+  if (!here || !there) return std::nullopt;
+  const Eigen::Matrix3d built = poses_[static_cast<std::size_t>(part)].linear();
+  const Vector3d x = drawn.poses_[static_cast<std::size_t>(part)].linear().col(0);
+  // Where the drawing would have its x, in the flange as it was built.
+  const Vector3d wanted = built.transpose() * (here->linear() * (there->linear().transpose() * x));
+  const double pitch = 2 * std::numbers::pi / sizes_of(spec.nps).holes;
+  return std::remainder(-std::atan2(wanted.y(), wanted.x()), pitch);
 }
 
 }  // namespace spool::campaign

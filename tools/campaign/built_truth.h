@@ -25,6 +25,13 @@ class BuiltTruth {
   [[nodiscard]] std::optional<double> angle(const std::string& from, const std::string& to) const;
   // rad, of a face against a pipe.
   [[nodiscard]] std::optional<double> lean(const std::string& pipe, const std::string& face) const;
+  // rad, right-handed about the flange's own z: how far `flange` stands turned from where `drawn`
+  // has it, seen from the flange `datum` (the middle of its face, the pipe on it) and turned about
+  // that pipe by `from`: "flange_1/holes" of the datum, or a face or centre aside of it. Of holes
+  // nobody knows which is the first: the least of all turns by a pitch.
+  [[nodiscard]] std::optional<double> turn(const BuiltTruth& drawn, const std::string& datum,
+                                           const std::string& from,
+                                           const std::string& flange) const;
 
  private:
   struct Line {
@@ -36,6 +43,8 @@ class BuiltTruth {
   // Where the node of `part` is on the line of `pipe`.
   [[nodiscard]] std::optional<Eigen::Vector3d> node(int part, int pipe) const;
   [[nodiscard]] std::vector<int> pipes_at(int part) const;
+  // The datum's frame: z along its pipe, away from its face; x towards `from`.
+  [[nodiscard]] std::optional<Pose> frame(int datum, const std::string& from) const;
 
   const Assembly& assembly_;
   std::vector<Pose> poses_;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/campaign/campaign_options.h"
+#include "tools/campaign/dimension_budget.h"
 #include "tools/campaign/dimension_trial.h"
 #include "tools/campaign/quantile.h"
 
@@ -21,7 +22,8 @@ struct Tally {
   std::size_t good = 0, good_not_ok = 0;  // within half of it, and called not_ok
   std::size_t clear = 0, decided = 0;     // under a half or over one and a half, and decided
   std::size_t injected = 0, named = 0, innocent = 0;
-  std::vector<double> length_u_mm, alignment_u_deg;
+  std::size_t rotations = 0, rotations_inside = 0;
+  std::vector<double> length_u_mm, alignment_u_deg, alignment_4_u_deg, rotation_u_deg;
 };
 
 void add(const TriedDimension& tried, Tally& tally) {
@@ -33,7 +35,14 @@ void add(const TriedDimension& tried, Tally& tally) {
   if (!d.is_angle && d.nominal <= 1) tally.length_u_mm.push_back(1000 * expanded);
   if (d.kind == "face_alignment")
     tally.alignment_u_deg.push_back(expanded * 180 / std::numbers::pi);
+  if (d.kind == "face_alignment" && tried.nps >= 4)
+    tally.alignment_4_u_deg.push_back(expanded * 180 / std::numbers::pi);
+  if (d.kind == "rotation") tally.rotation_u_deg.push_back(expanded * 180 / std::numbers::pi);
   if (!tried.truth) return;
+  if (d.kind == "rotation") {
+    ++tally.rotations;
+    tally.rotations_inside += std::abs(d.deviation - *tried.truth) <= expanded ? 1U : 0U;
+  }
   ++tally.judged;
   tally.inside += std::abs(d.deviation - *tried.truth) <= expanded ? 1U : 0U;
   const double share = std::abs(*tried.truth) / d.tolerance;
@@ -55,7 +64,7 @@ void add(const TriedSpool& tried, Tally& tally) {
 }
 
 void print_each(const TriedSpool& tried, int seed) {
-  for (const auto& [stated, truth] : tried.dimensions) {
+  for (const auto& [stated, truth, nps] : tried.dimensions) {
     if (!stated.is_measured || !truth) continue;
     const double unit = stated.is_angle ? 180 / std::numbers::pi : 1000;
     std::printf("  %d %-14s %-45s truth %+7.3f, said %+7.3f ± %.3f %s, allowed %.3f: %s%s\n", seed,
@@ -66,31 +75,36 @@ void print_each(const TriedSpool& tried, int seed) {
   }
 }
 
-Result<int> campaign(const CampaignOptions& wanted) {
+Result<int> campaign(const CampaignOptions& wanted, bool with_budget) {
   std::printf(
       "| %-28s | spools | dimensions | measured %% | with a truth | within U %% | U of lengths to "
       "1 m, "
       "mm p50 / p95 | U of face alignment, deg p50 | bad called ok | good called not ok | clear "
       "and "
-      "decided %% | injected named / of (others) |\n",
+      "decided %% | injected named / of (others) | U of face alignment from NPS 4, deg p50 | "
+      "rotations within U, U deg p50 |\n",
       "row");
   for (const DimensionRow& row : dimension_rows()) {
     if (!wanted.wants(row.name)) continue;
     Tally tally;
+    BudgetTable budget;
     for (int seed = wanted.first; seed < wanted.past_last(); ++seed) {
       const auto tried = run_dimensions(row, static_cast<std::uint32_t>(seed));
       if (!tried) return tried.error();
       if (wanted.each) print_each(*tried, seed);
+      if (with_budget) budget.print_each(*tried, seed);
       add(*tried, tally);
     }
     std::printf(
         "| %-28s | %zu | %zu | %.1f | %zu | %.1f | %.2f / %.2f | %.2f | %zu of %zu | %zu of %zu | "
-        "%.1f of %zu | %zu / %zu (%zu) |\n",
+        "%.1f of %zu | %zu / %zu (%zu) | %.2f | %zu of %zu, %.2f |\n",
         row.name.c_str(), tally.spools, tally.stated, percent(tally.measured, tally.stated),
         tally.judged, percent(tally.inside, tally.judged), quantile(tally.length_u_mm, 0.5),
         quantile(tally.length_u_mm, 0.95), quantile(tally.alignment_u_deg, 0.5), tally.bad_ok,
         tally.bad, tally.good_not_ok, tally.good, percent(tally.decided, tally.clear), tally.clear,
-        tally.named, tally.injected, tally.innocent);
+        tally.named, tally.injected, tally.innocent, quantile(tally.alignment_4_u_deg, 0.5),
+        tally.rotations_inside, tally.rotations, quantile(tally.rotation_u_deg, 0.5));
+    if (with_budget) budget.print_usual(row.name);
     std::fflush(stdout);
   }
   return 0;
@@ -100,9 +114,15 @@ Result<int> campaign(const CampaignOptions& wanted) {
 }  // namespace spool::campaign
 
 int main(int argc, char** argv) {
-  return spool::campaign::campaign_main(
-      argc, argv, "spoolsight-dimension-campaign",
+  using namespace spool::campaign;
+  CLI::App app{
       "Inspects spools as shops build them and prints how often the error of a dimension is within "
-      "its stated uncertainty, and how often its verdict is right.",
-      "dimension", spool::campaign::campaign, {.seeds = 20});
+      "its stated uncertainty, and how often its verdict is right."};
+  CampaignOptions wanted{.seeds = 20};
+  bool with_budget = false;
+  spool::add_common_options(app, "spoolsight-dimension-campaign");
+  add_campaign_options(app, "dimension", wanted);
+  app.add_flag("--budget", with_budget,
+               "What the uncertainty of each dimension is made of, and the medians of each kind");
+  return spool::run_program(app, argc, argv, [&] { return campaign(wanted, with_budget); });
 }

@@ -73,13 +73,16 @@ void warp(double corner_m, PointCloud& cloud) {
     p *= 1 + static_cast<float>(share) * (p.head<2>() / p.z()).squaredNorm() / most;
 }
 
-std::optional<double> truth_of(const Dimension& stated, const BuiltTruth& built) {
+// `datum`: the face that offsets and rotations are seen from.
+std::optional<double> truth_of(const Dimension& stated, const BuiltTruth& built,
+                               const BuiltTruth& drawn, const std::string& datum) {
   std::optional<double> value;
+  if (stated.kind == "rotation") return built.turn(drawn, datum, stated.from, stated.to);
   if (stated.kind == "angle")
     value = built.angle(stated.from, stated.to);
   else if (stated.kind == "face_alignment")
     value = built.lean(stated.from, stated.to);
-  else if (stated.kind != "offset" && stated.kind != "rotation")  // no truth of these here
+  else if (stated.kind != "offset")  // no truth of these here
     value = built.length(stated.from, stated.to);
   if (value) *value -= stated.nominal;
   return value;
@@ -114,6 +117,17 @@ std::vector<DimensionRow> dimension_rows() {
   exact.defects = {{.kind = DefectKind::kTilted, .amount = 0.75}};
   rows.push_back(
       {.name = "flange leans 0.75 deg, laser", .request = exact, .warp_u_m = stations_m});
+  // What no shop would call a tolerance.
+  const auto gross = [&](DefectKind kind, double amount, const std::string& text) {
+    SceneRequest wrong = laser;
+    wrong.defects = {{.kind = kind, .amount = amount}};
+    rows.push_back({.name = "gross: " + text, .request = wrong, .warp_u_m = stations_m});
+  };
+  gross(DefectKind::kLong, 25, "pipe 25 mm long");
+  gross(DefectKind::kTilted, 3, "flange leans 3 deg");
+  gross(DefectKind::kClocked, 0, "flange one-holed");
+  gross(DefectKind::kTurned, 90, "elbow rolled 90 deg");
+  gross(DefectKind::kMissing, 0, "flange missing");
   return rows;
 }
 
@@ -149,7 +163,8 @@ Result<TriedSpool> run_dimensions(const DimensionRow& row, std::uint32_t seed) {
   options.correlated = scan->correlated;
   auto inspection = Inspector(*design).process(scan->cloud, scan->noise, options);
   if (!inspection) return inspection.error();
-  const BuiltTruth built(scene.as_built);
+  const BuiltTruth built(scene.as_built), drawn(scene.design);
+  const std::string datum = inspection->datum.substr(0, inspection->datum.find(' '));
   TriedSpool tried;
   tried.defects = scene.request.defects;
   tried.scale = inspection->scale;
@@ -162,7 +177,11 @@ Result<TriedSpool> run_dimensions(const DimensionRow& row, std::uint32_t seed) {
     tried.flanges += part.kind == spool::PartKind::kFlange ? 1 : 0;
   }
   for (const Dimension& dimension : inspection->dimensions)
-    tried.dimensions.push_back({dimension, truth_of(dimension, built)});
+    tried.dimensions.push_back(
+        {dimension, truth_of(dimension, built, drawn, datum),
+         dimension.answers < 0
+             ? 0
+             : (*design)->model.parts[static_cast<std::size_t>(dimension.answers)].nps});
   for (const PartFinding& part : inspection->parts)
     if (part.status == Verdict::kNotOk)
       tried.wrong_parts.push_back((*design)->model.parts[static_cast<std::size_t>(part.part)].name);

@@ -31,6 +31,7 @@ struct DimensionRow {
 struct TriedDimension {
   Dimension stated;
   std::optional<double> truth;  // of the deviation (m, rad); nothing where it is not defined here
+  double nps = 0;               // of the part that it is of; 0: of several
 };
 
 struct TriedSpool {

@@ -55,5 +55,33 @@ TEST(BuiltTruth, FollowsTheWeldThatIsOff) {
   EXPECT_NEAR(std::abs(moved), nps4.elbow_90 * std::tan(0.02), 1e-6);
 }
 
+// A flange turned about its axis, and all turned about the datum's.
+TEST(BuiltTruth, TurnsAreSeenFromTheDatumAndModuloThePitch) {
+  const Assembly design = laid_out();
+  const BuiltTruth drawn(design);
+  const auto turned = [&](std::size_t member, double angle) {
+    Assembly spool = design;
+    spool.members[member].roll_rad += angle;
+    return spool;
+  };
+  const auto turn = [&](const Assembly& spool, const std::string& from, const std::string& of) {
+    return *BuiltTruth(spool).turn(drawn, "flange_1/face", from, of);
+  };
+  const std::string far = "flange_2/holes", node = "flange_2/face", holes = "flange_1/holes";
+  for (const std::string& from : {holes, node}) {
+    EXPECT_NEAR(turn(design, from, far), 0, 1e-9);
+    EXPECT_NEAR(std::abs(turn(turned(4, 0.05), from, far)), 0.05, 1e-9);
+    EXPECT_NEAR(std::abs(turn(turned(4, std::numbers::pi / 4 + 0.05), from, far)), 0.05, 1e-9)
+        << "a pitch of eight holes is no turn";
+  }
+  // The sense is right-handed about the flange's z, which looks into the spool: as the roll about
+  // the pipe's outward z, the other way round.
+  EXPECT_NEAR(turn(turned(4, 0.05), holes, far), -0.05, 1e-9);
+  // The first pipe carries all that follows: seen from it nothing but the datum has turned.
+  EXPECT_NEAR(turn(turned(1, 0.05), node, far), 0, 1e-9);
+  EXPECT_NEAR(std::abs(turn(turned(1, 0.05), node, holes)), 0.05, 1e-9);
+  EXPECT_FALSE(BuiltTruth(design).turn(drawn, "flange_1/face", holes, "pipe_1/axis"));
+}
+
 }  // namespace
 }  // namespace spool::campaign
