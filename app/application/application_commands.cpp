@@ -56,7 +56,7 @@ void Application::handle(const ui::Command& command) {
       open_results(-1, false);
       break;
     case ui::Action::kOpenResult:
-      open_results(command.row, false);
+      open_results(command.value, false);
       break;
     case ui::Action::kBack:
       if (screen_ == ui::Screen::kResults) {

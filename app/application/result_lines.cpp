@@ -201,11 +201,23 @@ ResultDetail detail_of(const Finding& finding) {
   return out;
 }
 
-ResultDetail detail_of(const DesignModel& design, const PartFinding& part, LengthStyle style) {
+// Why a part has its status. What a dimension told is said as that dimension is, in `style`.
+std::string reason_of(const DesignModel& design, const Inspection& inspection,
+                      const PartFinding& part, LengthStyle style) {
+  const auto telling = std::ranges::find(inspection.dimensions, part.reason, told_by);
+  if (part.reason.empty() || telling == inspection.dimensions.end()) return part.reason;
+  const ResultDetail detail = detail_of(design, inspection, *telling, style);
+  const std::string number =
+      detail.number.empty() ? telling->reason : detail.number + " " + detail.doubt + ".";
+  return detail.name + ": " + number;
+}
+
+ResultDetail detail_of(const DesignModel& design, const Inspection& inspection,
+                       const PartFinding& part, LengthStyle style) {
   ResultDetail out;
   const Part& of = design.parts[static_cast<std::size_t>(part.part)];
   out.name = of.name + ", " + std::string(name(of.kind));
-  out.words = part.reason + evidence::pose_words(part.pose, style);
+  out.words = reason_of(design, inspection, part, style) + evidence::pose_words(part.pose, style);
   for (const SizeCheck& check : part.size_checks)
     out.facts.emplace_back(
         check.quantity == "outside_diameter" ? "Outside diameter" : said(check.quantity),
@@ -236,7 +248,7 @@ ResultDetail detail_of(const DesignModel& design, const Inspection& inspection,
     case ResultKind::kPart:
       break;
   }
-  return detail_of(design, inspection.parts[row.index], style);
+  return detail_of(design, inspection, inspection.parts[row.index], style);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/evidence/worst_first.h"
+#include "vision/measure/dimension_text.h"
 #include "vision/measure/joint_verdict.h"
 
 namespace spool::evidence {
@@ -25,9 +26,8 @@ int part_at(const DesignModel& design, std::string_view place) {
 }
 
 bool is_told_by_a_dimension(const Finding& finding, const std::vector<Dimension>& dimensions) {
-  return std::ranges::any_of(dimensions, [&](const Dimension& dimension) {
-    return finding.text == dimension.kind + " " + dimension.name + ": " + dimension.reason;
-  });
+  return std::ranges::any_of(
+      dimensions, [&](const Dimension& dimension) { return finding.text == told_by(dimension); });
 }
 
 ResultRow row_of(const DesignModel& design, const Dimension& dimension) {

@@ -54,7 +54,7 @@ void draw_list(const ResultsState& results, const Painter& painter, const Rect& 
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::InvisibleButton("row", {width, height}) && !is_dragged)
-      commands.push_back({.action = Action::kOpenResult, .row = static_cast<int>(i)});
+      commands.push_back({Action::kOpenResult, -1, static_cast<int>(i)});
     ImGui::PopID();
     if (!ImGui::IsItemVisible()) continue;
     // Only what is in sight of the scrolled list can be tapped.

@@ -136,13 +136,12 @@ enum class Action {
   kToggleList,
   kLightPart,
   kResults,     // of the last check: their list
-  kOpenResult,  // one row of them
+  kOpenResult,  // the row `value` of them
 };
 
 struct Command {
   Action action = Action::kShot;
   int part = -1;  // of kLightPart
-  int row = -1;   // of kOpenResult
   int value = 0;  // see the action
 };
 

@@ -50,4 +50,8 @@ std::string advice_on(const Dimension& dimension) {
   return "Scan it from nearer and from more sides, or measure it by hand.";
 }
 
+std::string told_by(const Dimension& dimension) {
+  return dimension.kind + " " + dimension.name + ": " + dimension.reason;
+}
+
 }  // namespace spool

@@ -19,4 +19,7 @@ namespace spool {
 // What would settle it: the largest part of the doubt, unless the number itself lies at the limit.
 [[nodiscard]] std::string advice_on(const Dimension& dimension);
 
+// What a part or a finding is told to be by a dimension: kind, name and reason.
+[[nodiscard]] std::string told_by(const Dimension& dimension);
+
 }  // namespace spool

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "vision/measure/conformance.h"
+#include "vision/measure/dimension_text.h"
 #include "vision/measure/part_shapes.h"
 
 namespace spool {
@@ -29,7 +30,7 @@ void judge_part(const DesignModel& design, const std::vector<Dimension>& dimensi
   }
   for (const Dimension& dimension : dimensions) {
     if (dimension.answers != finding.part || dimension.status != Verdict::kNotOk) continue;
-    const std::string text = dimension.kind + " " + dimension.name + ": " + dimension.reason;
+    const std::string text = told_by(dimension);
     findings.push_back(
         {dimension.is_one_holed ? "one_holed" : "misplaced", name, text, dimension.rule});
     if (finding.status != Verdict::kNotOk) finding.reason = text;
@@ -49,8 +50,7 @@ void judge_part(const DesignModel& design, const std::vector<Dimension>& dimensi
   for (const Dimension& dimension : dimensions) {
     if (!lies_in(finding.part, dimension)) continue;
     const bool is_anothers = dimension.status == Verdict::kNotOk;
-    take(is_anothers ? Verdict::kSuspicious : dimension.status,
-         dimension.kind + " " + dimension.name + ": " + dimension.reason);
+    take(is_anothers ? Verdict::kSuspicious : dimension.status, told_by(dimension));
   }
   if (count == 0) return;
   for (const SizeCheck& check : finding.size_checks) take(check.status, check.reason);

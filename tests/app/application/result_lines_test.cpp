@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "vision/measure/dimension_text.h"
+
 namespace spool {
 namespace {
 
@@ -110,6 +112,16 @@ TEST_F(ResultLines, SayOneWayOnlyBeyondTheDoubtAndABumpOnlyAcrossItsJoint) {
 TEST_F(ResultLines, SpeakFeetAndInchesAsTheReportDoes) {
   EXPECT_EQ(fact(detail(length_, LengthStyle::kFeetInch), "Drawing"), "11 13/16\"");
   EXPECT_EQ(detail(length_, LengthStyle::kFeetInch).number, "+3/16\"");
+}
+
+TEST_F(ResultLines, SayOfAPartWhatADimensionTellsInTheSameWordsAndUnits) {
+  const ResultRow part{ResultKind::kPart, 1, Verdict::kNotOk, 0, {1, -1}};
+  inspection_.parts[1].reason = told_by(inspection_.dimensions[0]);
+  EXPECT_EQ(detail(part).words.find("F2 face to E2 centre: +4.6 mm ± 0.7 mm, limit ± 3.0 mm"), 0U)
+      << detail(part).words;
+  EXPECT_EQ(detail(part, LengthStyle::kFeetInch).words.find("F2 face to E2 centre: +3/16\""), 0U);
+  inspection_.parts[1].reason = "No point of it was seen.";
+  EXPECT_EQ(detail(part).words.find("No point of it was seen."), 0U);
 }
 
 TEST_F(ResultLines, SayOfWhatIsOpenWhatWouldSettleIt) {
