@@ -1,0 +1,35 @@
+# What cmake --install puts into an empty folder runs from there: cmake -D BUILD=... -D INTO=... -P this file.
+file(REMOVE_RECURSE ${INTO})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${INTO} --strip
+  RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "cmake --install ends with ${code}: ${said}")
+endif()
+foreach(program spoolsight spoolsight-inspect spoolsight-convert spoolsight-job spoolsight-record)
+  execute_process(COMMAND ${INTO}/bin/${program} --version RESULT_VARIABLE code OUTPUT_VARIABLE out ERROR_VARIABLE said)
+  if(NOT code EQUAL 0 OR NOT out MATCHES "[0-9]+\\.[0-9]+\\.[0-9]+")
+    message(FATAL_ERROR "${program} --version ends with ${code}: ${out}${said}")
+  endif()
+endforeach()
+# The sample that came with it, inspected by the installed program away from the sources.
+set(sample ${INTO}/share/spoolsight/sample)
+execute_process(
+  COMMAND ${INTO}/bin/spoolsight-inspect --design ${sample}/spool.glb --scan ${sample}/recording --align find --out ${INTO}/result
+  WORKING_DIRECTORY ${INTO} RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE said)
+if(code GREATER 2 OR NOT EXISTS ${INTO}/result/report.json)
+  message(FATAL_ERROR "the sample's inspection ends with ${code}: ${said}")
+endif()
+foreach(file share/applications/spoolsight.desktop share/icons/hicolor/scalable/apps/spoolsight.svg share/mime/packages/spoolsight.xml)
+  if(NOT EXISTS ${INTO}/${file})
+    message(FATAL_ERROR "${file} is not there")
+  endif()
+endforeach()
+find_program(DESKTOP_FILE_VALIDATE desktop-file-validate)
+if(DESKTOP_FILE_VALIDATE)
+  execute_process(COMMAND ${DESKTOP_FILE_VALIDATE} ${INTO}/share/applications/spoolsight.desktop
+    RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "${said}")
+  endif()
+endif()
+file(REMOVE_RECURSE ${INTO})
