@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/application/application.h"
+#include "app/application/result_lines.h"
 #include "app/application/status_mark.h"
 #include "app/common/length_text.h"
 #include "vision/core/file_io.h"
@@ -211,7 +212,8 @@ std::vector<ui::CaptureNumber> numbers_of(const job::CheckRecord& check) {
   });
   std::vector<ui::CaptureNumber> out;
   for (const job::CheckNumber* number : numbers) {
-    ui::CaptureNumber line{mark_of_status(number->status), number->kind + " " + number->name, ""};
+    ui::CaptureNumber line{mark_of_status(number->status),
+                           dimension_title(number->kind, number->name), ""};
     line.text = number->deviation ? amount(*number, *number->deviation, true)
                                   : std::string(ui::word(line.status));
     if (number->deviation && number->u)

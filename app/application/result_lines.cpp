@@ -33,25 +33,17 @@ std::string said(std::string text) {
   return text;
 }
 
-bool is_length(const Dimension& dimension) {
-  return dimension.kind.find("_to_") != std::string::npos;
-}
+bool is_length(const std::string& kind) { return kind.find("_to_") != std::string::npos; }
 
 std::string name_of(const Dimension& dimension) {
-  if (is_length(dimension)) return said(dimension.name);
-  const std::string name = said(dimension.name);
-  if (dimension.kind == "face_alignment") return "Alignment of face, " + name;
-  if (dimension.kind == "rotation") return "Rotation of holes, " + name;
-  if (dimension.kind == "offset") return "Offset, " + name;
-  if (dimension.kind == "angle") return "Angle, " + name;
-  return said(dimension.kind) + ", " + name;
+  return dimension_title(dimension.kind, dimension.name);
 }
 
 // Which way it is off; empty where the sign has no such word or the doubt is larger.
 std::string way_of(const Dimension& dimension) {
   if (!dimension.is_measured || std::abs(dimension.deviation) <= 2 * dimension.u.total()) return "";
   const bool more = dimension.deviation > 0;
-  if (is_length(dimension)) return more ? "too long" : "too short";
+  if (is_length(dimension.kind)) return more ? "too long" : "too short";
   if (dimension.kind == "angle") return more ? "too wide" : "too narrow";
   return "";
 }
@@ -282,6 +274,15 @@ ui::ResultLine result_line(const DesignModel& design, const Inspection& inspecti
   if (line.number.empty()) line.number = detail.words;
   if (line.number.empty() && !detail.to_do.empty()) line.number = detail.to_do.front();
   return line;
+}
+
+std::string dimension_title(const std::string& kind, const std::string& name) {
+  if (is_length(kind)) return said(name);
+  if (kind == "face_alignment") return "Alignment of face, " + said(name);
+  if (kind == "rotation") return "Rotation of holes, " + said(name);
+  if (kind == "offset") return "Offset, " + said(name);
+  if (kind == "angle") return "Angle, " + said(name);
+  return said(kind) + ", " + said(name);
 }
 
 std::string with_minus(std::string text) {

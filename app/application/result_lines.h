@@ -32,4 +32,7 @@ namespace spool {
 // "just now", "12 s ago", "3 min ago", "2 h ago" of seconds, 0 or more.
 [[nodiscard]] std::string age_text(double seconds);
 
+// "centre_to_face", "E2/centre to F3/face" as they are said: "E2 centre to F3 face".
+[[nodiscard]] std::string dimension_title(const std::string& kind, const std::string& name);
+
 }  // namespace spool
