@@ -181,17 +181,13 @@ ui::CaptureLine line_of(const JournalView& journal, const job::CaptureRow& row) 
   return line;
 }
 
-std::string amount(const job::CheckNumber& number, double value, bool with_sign) {
-  constexpr double kDegree = 3.14159265358979323846 / 180;
-  if (number.unit == "rad")
-    return with_sign ? fmt::format("{:+.2f}°", value / kDegree)
-                     : fmt::format("{:.2f}°", value / kDegree);
-  return with_sign ? signed_length_text(value, LengthStyle::kMillimetre)
-                   : length_text(value, LengthStyle::kMillimetre);
+std::string amount(const job::CheckNumber& number, double value, LengthStyle style,
+                   bool with_sign) {
+  return with_minus(quantity_text(value, number.unit == "rad", style, with_sign));
 }
 
 // What is out first, then what cannot be told, then by how far it is off against its limit.
-std::vector<ui::CaptureNumber> numbers_of(const job::CheckRecord& check) {
+std::vector<ui::CaptureNumber> numbers_of(const job::CheckRecord& check, LengthStyle style) {
   constexpr double kCoverage = 2;  // times the standard uncertainty
   std::vector<const job::CheckNumber*> numbers;
   for (const job::CheckNumber& each : check.numbers) numbers.push_back(&each);
@@ -214,12 +210,12 @@ std::vector<ui::CaptureNumber> numbers_of(const job::CheckRecord& check) {
   for (const job::CheckNumber* number : numbers) {
     ui::CaptureNumber line{mark_of_status(number->status),
                            dimension_title(number->kind, number->name), ""};
-    line.text = number->deviation ? amount(*number, *number->deviation, true)
+    line.text = number->deviation ? amount(*number, *number->deviation, style, true)
                                   : std::string(ui::word(line.status));
     if (number->deviation && number->u)
-      line.text += " ± " + amount(*number, kCoverage * *number->u, false);
+      line.text += " ± " + amount(*number, kCoverage * *number->u, style, false);
     if (number->tolerance)
-      line.text += " (limit ± " + amount(*number, *number->tolerance, false) + ")";
+      line.text += " (limit ± " + amount(*number, *number->tolerance, style, false) + ")";
     out.push_back(std::move(line));
   }
   if (out.empty())
@@ -304,7 +300,7 @@ void Application::fill_evidence(ui::ScreenState& out) const {
   const job::CheckRecord* check = opened != nullptr ? check_of(journal, *opened) : nullptr;
   if (check == nullptr) return;
   evidence.opened = {line_of(journal, *opened)};
-  evidence.numbers = numbers_of(*check);
+  evidence.numbers = numbers_of(*check, in_.lengths);
   evidence.picture = desk_.picture.id();
   evidence.picture_width = desk_.picture.width();
   evidence.picture_height = desk_.picture.height();

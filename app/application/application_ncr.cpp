@@ -31,7 +31,8 @@ void Application::open_form() {
   if (desk_.opened == 0) return;
   ++desk_open_;
   desk_.said.clear();
-  const ncr::OperatorInput input{in_.job->operator_name(), {}, job::utc_text(job::now().wall_s)};
+  const ncr::OperatorInput input{
+      in_.job->operator_name(), {}, job::utc_text(job::now().wall_s), in_.lengths};
   jobs_.run([this, number = desk_.opened, input] {
     const job::Job& job = in_.job->job();
     const Result<ncr::NcrDocument> document = document_of(job, number, input);
@@ -117,7 +118,7 @@ void Application::write_form() {
   desk_.is_writing = true;
   ++desk_open_;
   const ncr::OperatorInput input{in_.job->operator_name(), draft.fields,
-                                 job::utc_text(job::now().wall_s)};
+                                 job::utc_text(job::now().wall_s), in_.lengths};
   jobs_.run([this, input, prefix = *prefix, number = draft.capture] {
     const job::Job& job = in_.job->job();
     const Result<ncr::NcrDocument> document = document_of(job, number, input);

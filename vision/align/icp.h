@@ -49,7 +49,8 @@ struct IcpResult {
 // Refines T_guess so that the scan's points (m, scan frame; normals optional) lie on the surface.
 // Never estimates scale. Point-to-plane (Chen & Medioni 1992) with Tukey's biweight as wide as the
 // gate, which follows the residuals' own scale (MAD, what lies evenly over the gate taken off) down
-// to 3 noise_m at least; weak directions keep the guess (Zhang & Singh 2016). A cancelled run
+// to 3 noise_m at least; along weak directions (Zhang & Singh 2016) the design as a whole stays as
+// near the guess as the held ones let it. A cancelled run
 // returns what it has, not converged. Deterministic on any number of threads.
 [[nodiscard]] IcpResult refine_icp(const CloudView& scan, const DesignSurface& surface,
                                    const Pose& T_guess, const IcpOptions& options = {},
